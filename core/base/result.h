@@ -1,0 +1,124 @@
+#pragma once
+
+// Errors as values.
+//
+// Every function that can fail for a reason outside this program (a file, an option, a full disk)
+// returns a Result. A Result is one of three things: a value, an Error, or Cancelled. Being
+// cancelled is not an error: nobody reports it, callers just unwind. Violated contracts between our
+// own functions are assertions, never Results.
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace cutis {
+
+// Who has to act. The command line turns it into the exit status.
+enum class ErrorKind {
+  usage,     // the command was wrong: unknown option, missing argument
+  input,     // a file or a value in it was wrong
+  resource,  // memory, disk, permission to write
+};
+
+struct Error {
+  ErrorKind kind = ErrorKind::input;
+  // Where: "face.exr", "rig.json:12:5", "--noise". May be empty.
+  std::string place;
+  // What is wrong, where in it; what to do. One sentence, no final full stop.
+  std::string message;
+
+  // "place: message", on one line.
+  std::string text() const { return place.empty() ? message : place + ": " + message; }
+};
+
+struct Cancelled {};
+
+// The part of a Result that is not a value; converts into a Result of any type.
+using Failure = std::variant<Error, Cancelled>;
+
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+  Result(Cancelled) : state_(std::in_place_index<2>) {}
+  Result(Failure failure) : state_(std::in_place_index<2>) {
+    if (auto* error = std::get_if<Error>(&failure)) state_.template emplace<1>(std::move(*error));
+  }
+
+  explicit operator bool() const { return state_.index() == 0; }
+  bool failed() const { return state_.index() == 1; }
+  bool cancelled() const { return state_.index() == 2; }
+
+  // Precondition: holds a value.
+  T& value() & { return std::get<0>(state_); }
+  const T& value() const& { return std::get<0>(state_); }
+  T&& value() && { return std::get<0>(std::move(state_)); }
+
+  // Precondition: failed().
+  const Error& error() const { return std::get<1>(state_); }
+
+  // Precondition: holds no value.
+  Failure failure() const {
+    assert(state_.index() != 0);
+    if (failed()) return error();
+    return Cancelled{};
+  }
+
+ private:
+  std::variant<T, Error, Cancelled> state_;
+};
+
+// A Result without a value: `return {};` means done.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : failure_(std::in_place_index<1>, std::move(error)) {}
+  Result(Cancelled) : failure_(std::in_place_index<2>) {}
+  Result(Failure failure) : failure_(std::in_place_index<2>) {
+    if (auto* error = std::get_if<Error>(&failure)) failure_.emplace<1>(std::move(*error));
+  }
+
+  explicit operator bool() const { return failure_.index() == 0; }
+  bool failed() const { return failure_.index() == 1; }
+  bool cancelled() const { return failure_.index() == 2; }
+  const Error& error() const { return std::get<1>(failure_); }
+  Failure failure() const {
+    assert(failure_.index() != 0);
+    if (failed()) return error();
+    return Cancelled{};
+  }
+
+ private:
+  std::variant<std::monostate, Error, Cancelled> failure_;
+};
+
+using Status = Result<void>;
+
+inline Error usageError(std::string place, std::string message) {
+  return {ErrorKind::usage, std::move(place), std::move(message)};
+}
+inline Error inputError(std::string place, std::string message) {
+  return {ErrorKind::input, std::move(place), std::move(message)};
+}
+inline Error resourceError(std::string place, std::string message) {
+  return {ErrorKind::resource, std::move(place), std::move(message)};
+}
+
+}  // namespace cutis
+
+// CUTIS_TRY(name, expression): evaluates a Result; on failure returns it from the enclosing
+// function, otherwise binds its value to `name`.
+#define CUTIS_TRY(name, ...)                             \
+  auto name##_result = (__VA_ARGS__);                    \
+  if (!name##_result) return name##_result.failure();    \
+  auto& name = name##_result.value()
+
+// CUTIS_CHECK(expression): the same for a Status.
+#define CUTIS_CHECK(...)                                        \
+  do {                                                          \
+    auto cutis_status = (__VA_ARGS__);                          \
+    if (!cutis_status) return cutis_status.failure();           \
+  } while (false)

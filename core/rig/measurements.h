@@ -1,0 +1,29 @@
+#pragma once
+
+// Photographs of one subject, pixel by pixel, as a rig sees them.
+
+#include <span>
+#include <vector>
+
+#include "core/base/plane.h"
+#include "core/rig/rig.h"
+#include "core/skin/pixel_state.h"
+
+namespace cutis {
+
+struct Measurements {
+  Rig rig;
+  // One plane per channel of the rig, linear, perfect diffuser = 1, all of one size.
+  std::vector<Plane> channels;
+  // PixelState as a number; `solved` here means that the pixel is there to be solved.
+  Plane state;
+
+  int width() const { return state.width(); }
+  int height() const { return state.height(); }
+};
+
+// What a pixel's channels say about it before any fit. `mask` zero leaves it out; `clipped` tells
+// that a source pixel was at the end of its range; not finite, negative and all-black are invalid.
+PixelState classify(std::span<const float> channels, float mask, bool clipped);
+
+}  // namespace cutis

@@ -1,0 +1,102 @@
+#include "core/rig/rig.h"
+
+#include <cstddef>
+#include <set>
+
+#include "core/base/content_hash.h"
+
+namespace cutis {
+namespace {
+
+std::string lightList(const Rig& rig) {
+  std::string list;
+  for (const RigLight& light : rig.lights) list += (list.empty() ? "" : ", ") + light.name;
+  return list;
+}
+
+bool isPower(const Spectrum& spectrum) {
+  return spectrum.isFinite().all() && (spectrum >= 0.0).all();
+}
+
+}  // namespace
+
+std::string Rig::channelName(int channel) const {
+  return lights[static_cast<std::size_t>(channel / 3)].name + "." +
+         camera.channelNames[static_cast<std::size_t>(channel % 3)];
+}
+
+int Rig::lightIndex(const std::string& lightName) const {
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    if (lights[k].name == lightName) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+Status validate(const Rig& rig, const std::string& place) {
+  if (rig.lights.empty()) return inputError(place, "lights is empty; name at least one light");
+  std::set<std::string> names;
+  for (const RigLight& light : rig.lights) {
+    if (!names.insert(light.name).second) {
+      return inputError(place, "two lights are called '" + light.name + "'; give each its own name");
+    }
+    if (!isPower(light.power) || light.power.sum() <= 0.0) {
+      return inputError(place, "light '" + light.name +
+                                   "' has negative, missing or no power between 300 and 1000 nm; "
+                                   "correct its spectrum or mix");
+    }
+  }
+  for (int c = 0; c < 3; ++c) {
+    if (!isPower(rig.camera.sensor.sensitivity.row(c).transpose())) {
+      return inputError(place, "camera.sensitivity has negative or missing values in column " +
+                                   rig.camera.channelNames[static_cast<std::size_t>(c)] +
+                                   "; correct the file");
+    }
+  }
+  if (!(rig.noise.read >= 0.0) || !(rig.noise.proportional >= 0.0)) {
+    return inputError(place, "noise must not be negative");
+  }
+  return {};
+}
+
+Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
+                       const std::string& place) {
+  Rig selected = rig;
+  selected.lights.clear();
+  for (const std::string& name : names) {
+    const int index = rig.lightIndex(name);
+    if (index < 0) {
+      return usageError(place, "rig '" + rig.name + "' has no light '" + name + "'; it has " +
+                                   lightList(rig));
+    }
+    if (selected.lightIndex(name) >= 0) {
+      return usageError(place, "light '" + name + "' is named twice");
+    }
+    selected.lights.push_back(rig.lights[static_cast<std::size_t>(index)]);
+  }
+  return selected;
+}
+
+SpectrumRows responseRows(const Rig& rig) {
+  SpectrumRows rows(rig.channelCount(), kSampleCount);
+  for (int k = 0; k < rig.channelCount(); ++k) {
+    const Spectrum& power = rig.lights[static_cast<std::size_t>(k / 3)].power;
+    rows.row(k) = rig.camera.sensor.sensitivity.row(k % 3) * power.transpose();
+    const double sum = rows.row(k).sum();
+    if (sum > 0.0) rows.row(k) /= sum;
+  }
+  return rows;
+}
+
+std::string fingerprint(const Rig& rig) {
+  ContentHash hash;
+  for (int c = 0; c < 3; ++c) {
+    const Spectrum curve = rig.camera.sensor.sensitivity.row(c).transpose();
+    hash.add(std::span<const double>(curve.data(), kSampleCount));
+  }
+  for (const RigLight& light : rig.lights) {
+    hash.add(std::span<const double>(light.power.data(), kSampleCount));
+  }
+  return hash.digest();
+}
+
+}  // namespace cutis

@@ -1,0 +1,39 @@
+#pragma once
+
+// The skin model compiled for a few wavelengths ("nodes"): what the vectorised kernels read.
+//
+// Everything a picture needs is a weighted sum of reflectances at some dozen nodes (see
+// core/spectra/spectral_nodes.h), so this is where the program spends its time. Single precision
+// for pixels, double where a result must be exact.
+
+#include <vector>
+
+#include "core/skin/node_constants.h"
+#include "core/skin/skin_model.h"
+
+namespace cutis {
+
+class NodeModel {
+ public:
+  // samples: positions on the wavelength grid, in the order of the nodes.
+  NodeModel(const SkinModel& model, std::vector<int> samples);
+
+  int nodeCount() const { return static_cast<int>(samples_.size()); }
+  const std::vector<int>& samples() const { return samples_; }
+
+  // T is float or double.
+  template <typename T>
+  const std::vector<NodeConstants<T>>& nodes() const;
+  template <typename T>
+  LayerConstants<T> layers() const {
+    return {static_cast<T>(layers_.thicknessMm), static_cast<T>(layers_.airGap)};
+  }
+
+ private:
+  std::vector<int> samples_;
+  std::vector<NodeConstants<float>> singleNodes_;
+  std::vector<NodeConstants<double>> doubleNodes_;
+  LayerConstants<double> layers_;
+};
+
+}  // namespace cutis

@@ -1,0 +1,70 @@
+#pragma once
+
+// JSON with errors that say where: file:line:column for syntax, file: field for content.
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "core/base/result.h"
+
+namespace cutis {
+
+// A value inside a document; keeps the document alive. Getters fail with a sentence that names the
+// field; those with a fallback return it only if the field is absent.
+class JsonValue {
+ public:
+  // Precondition for getters with a key: isObject().
+  bool isObject() const;
+  bool isArray() const;
+  bool has(const std::string& key) const;
+
+  Result<JsonValue> object(const std::string& key) const;
+  // Elements of an array field.
+  Result<std::vector<JsonValue>> array(const std::string& key) const;
+  Result<double> number(const std::string& key) const;  // finite
+  Result<double> number(const std::string& key, double fallback) const;
+  Result<int> integer(const std::string& key) const;
+  Result<std::string> text(const std::string& key) const;
+  Result<std::string> text(const std::string& key, const std::string& fallback) const;
+
+  // This value itself as a finite number.
+  Result<double> asNumber() const;
+
+  // Fails if there is a field of another name: a misspelt option must not pass as absent.
+  Status allowOnly(std::initializer_list<std::string_view> keys) const;
+
+  // "file: field.inner must be …"
+  Error error(const std::string& demand) const;
+  Error error(const std::string& key, const std::string& demand) const;
+  const std::string& file() const { return file_; }
+
+ private:
+  friend Result<JsonValue> parseJson(std::string_view text, const std::string& place);
+  JsonValue(std::shared_ptr<const nlohmann::json> root, const nlohmann::json* node,
+            std::string file, std::string path);
+  JsonValue child(const nlohmann::json& node, const std::string& path) const;
+  std::string pathOf(const std::string& key) const;
+  const nlohmann::json* find(const std::string& key) const;
+
+  std::shared_ptr<const nlohmann::json> root_;
+  const nlohmann::json* node_;
+  std::string file_;
+  std::string path_;  // "lights[1].mix"
+};
+
+// The root must be an object.
+Result<JsonValue> parseJson(std::string_view text, const std::string& place);
+Result<JsonValue> readJson(const std::filesystem::path& path);
+
+// Checks the version field that our own files start with, e.g. "cutis_rig": 1. A file without it is
+// not of this kind; one with a higher number comes from a newer program.
+Status checkVersion(const JsonValue& root, const std::string& key, int newest);
+
+}  // namespace cutis

@@ -1,0 +1,154 @@
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "core/base/instruction_set.h"
+#include "core/skin/parameter_sampling.h"
+#include "core/skin/reflectance_batch.h"
+#include "tests/support/expect.h"
+#include "tests/support/models.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+const SkinModel& model() { return test::li2024(); }
+
+std::vector<int> wholeGrid() {
+  std::vector<int> samples(kSampleCount);
+  std::iota(samples.begin(), samples.end(), 0);
+  return samples;
+}
+
+// Evenly spread points, and the corners of the box.
+std::vector<ParameterVector> testPoints() {
+  std::vector<ParameterVector> points = sampleBox(model().profile().axes, 3000);
+  for (int corner = 0; corner < 32; ++corner) {
+    ParameterVector p;
+    for (int k = 0; k < kParameterCount; ++k) {
+      p[k] = (corner >> k & 1) * model().profile().axes[static_cast<std::size_t>(k)].maximum;
+    }
+    points.push_back(p);
+  }
+  return points;
+}
+
+template <typename T>
+struct Columns {
+  explicit Columns(const std::vector<ParameterVector>& points) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      for (const ParameterVector& p : points) {
+        columns[k].push_back(static_cast<T>(p[static_cast<Eigen::Index>(k)]));
+      }
+      batch.values[k] = columns[k].data();
+    }
+    batch.count = points.size();
+  }
+  std::array<std::vector<T>, kParameterCount> columns;
+  ParameterBatch<T> batch;
+};
+
+struct Errors {
+  double value = 0.0;
+  double slope = 0.0;  // in units of 1e-4 · max(|∂R|, 1e-3)
+};
+
+template <typename T>
+Errors errorsAgainstReference() {
+  const NodeModel nodes(model(), wholeGrid());
+  const std::vector<ParameterVector> points = testPoints();
+  const Columns<T> columns(points);
+  const std::size_t count = points.size();
+  std::vector<T> value(count * kSampleCount), epidermal(value), dermal(value);
+  reflectanceBatch<T>(nodes, columns.batch, value.data(), epidermal.data(), dermal.data());
+  Errors errors;
+  for (std::size_t i = 0; i < count; ++i) {
+    // The reference sees the rounded parameters: the kernel answers for its own arithmetic.
+    ParameterVector p;
+    for (std::size_t k = 0; k < columns.columns.size(); ++k) {
+      p[static_cast<Eigen::Index>(k)] = columns.columns[k][i];
+    }
+    for (int s = 0; s < kSampleCount; ++s) {
+      const LayeredReflectance exact = model().optics().evaluate(
+          s, epidermalAbsorptionAt(model().epidermis(), s, p),
+          dermalAbsorptionAt(model().dermis(), s, p));
+      const std::size_t at = static_cast<std::size_t>(s) * count + i;
+      errors.value = std::max(errors.value, std::abs(value[at] - exact.reflectance));
+      const auto slopeError = [](double a, double b) {
+        return std::abs(a - b) / (1e-4 * std::max(std::abs(b), 1e-3));
+      };
+      errors.slope = std::max({errors.slope, slopeError(epidermal[at], exact.perEpidermalAbsorption),
+                               slopeError(dermal[at], exact.perDermalAbsorption)});
+    }
+  }
+  return errors;
+}
+
+class VectorisedModelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { EXPECT_OK(pinInstructionSet("")); }
+  void cleanup() { EXPECT_OK(pinInstructionSet("")); }
+
+  void agreesWithTheReference_data() {
+    QTest::addColumn<QString>("instructionSet");
+    for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) QTest::newRow(name) << name;
+  }
+  void agreesWithTheReference() {
+    QFETCH(QString, instructionSet);
+    if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
+    const Errors single = errorsAgainstReference<float>();
+    qInfo("float: %.2g, derivatives %.2g of the allowed error", single.value, single.slope);
+    EXPECT_AT_MOST(single.value, 2e-6);
+    EXPECT_AT_MOST(single.slope, 1.0);
+    const Errors twice = errorsAgainstReference<double>();
+    qInfo("double: %.2g, derivatives %.2g of the allowed error", twice.value, twice.slope);
+    EXPECT_AT_MOST(twice.value, 1e-12);
+    EXPECT_AT_MOST(twice.slope, 1e-4);
+  }
+
+  void aPixelDoesNotDependOnItsPlace() {
+    const NodeModel nodes(model(), {20, 60, 100, 140, 180});
+    const std::vector<ParameterVector> points = sampleBox(model().profile().axes, 37);
+    const Columns<float> columns(points);
+    std::vector<float> together(points.size() * 5);
+    reflectanceBatch<float>(nodes, columns.batch, together.data());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ParameterBatch<float> one = columns.batch;
+      for (const float*& values : one.values) values += i;
+      one.count = 1;
+      float alone[5];
+      reflectanceBatch<float>(nodes, one, alone);
+      for (std::size_t n = 0; n < 5; ++n) QCOMPARE(alone[n], together[n * points.size() + i]);
+    }
+  }
+
+  void notANumberStaysInItsPixel() {
+    const NodeModel nodes(model(), {100});
+    std::vector<ParameterVector> points = sampleBox(model().profile().axes, 20);
+    std::vector<float> clean(points.size()), spoiled(points.size());
+    const Columns<float> columns(points);
+    reflectanceBatch<float>(nodes, columns.batch, clean.data());
+    points[7][kMelanin] = std::numeric_limits<double>::quiet_NaN();
+    const Columns<float> withNan(points);
+    reflectanceBatch<float>(nodes, withNan.batch, spoiled.data());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i != 7) QCOMPARE(spoiled[i], clean[i]);
+    }
+  }
+
+  void unknownInstructionSetsAreNamed() {
+    EXPECT_ERROR(pinInstructionSet("mmx"), "scalar, sse4, avx2, avx512");
+  }
+};
+
+CUTIS_TEST(VectorisedModelTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "vectorised_model_test.moc"

@@ -1,0 +1,38 @@
+#include "tests/support/models.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "src/files/profile_file.h"
+#include "src/files/rig_file.h"
+
+namespace cutis::test {
+namespace {
+
+template <typename T>
+T require(Result<T> result) {
+  if (!result) {
+    std::fprintf(stderr, "%s\n", result.failed() ? result.error().text().c_str() : "cancelled");
+    std::abort();
+  }
+  return std::move(result).value();
+}
+
+}  // namespace
+
+const SkinModel& li2024() {
+  static const SkinModel model(require(loadProfile("li2024", "test")));
+  return model;
+}
+
+const Rig& monitorRig() {
+  static const Rig rig = require(loadRig("monitor", {}, "test"));
+  return rig;
+}
+
+const Rig& albedoRig() {
+  static const Rig rig = require(loadRig("albedo", {}, "test"));
+  return rig;
+}
+
+}  // namespace cutis::test
