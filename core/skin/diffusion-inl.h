@@ -50,6 +50,95 @@ HWY_INLINE void NodeAbsorption(D d, const NodeConstants<hn::TFromD<D>>& node, V 
   dermal = hn::MulAdd(bloodDermal, hn::Set(d, node.dermalBlood), hn::Set(d, node.dermalBase));
 }
 
+// A layer as light sees it: the quantities of core/skin/diffusion.h.
+template <class V>
+struct MediumVectors {
+  V absorption, extinction;
+  V transport;  // u = σ_tr
+  V path;       // ℓ
+  V halfAlbedo; // a
+  V argument;   // s
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE MediumVectors<V> MediumOf(D d, V absorption, V scattering, V extinction, V path) {
+  using T = hn::TFromD<D>;
+  const V transport =
+      hn::Sqrt(hn::Mul(hn::Mul(hn::Set(d, T(3)), absorption), extinction));
+  return {absorption, extinction, transport, path,
+          hn::Mul(hn::Mul(hn::Set(d, T(0.5)), scattering), path), hn::Mul(transport, path)};
+}
+
+// Keeps 1/u finite where a profile absorbs nothing.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V PositiveAbsorption(D d, V absorption) {
+  return hn::Max(absorption, hn::Set(d, hn::TFromD<D>(1e-6)));
+}
+
+template <class V>
+struct HalfSpaceVectors {
+  V reflectance;
+  V p, pr;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE HalfSpaceVectors<V> HalfSpaceOf(D d, const MediumVectors<V>& medium) {
+  const V third = hn::Set(d, hn::TFromD<D>(-1.0 / 3.0));
+  const V g = ExpOfNegative(d, hn::Mul(medium.argument, third));
+  const V g2 = hn::Mul(g, g);
+  const V p = hn::Mul(g2, g);
+  const V pr = hn::Mul(p, hn::Mul(g2, g2));
+  return {hn::Mul(medium.halfAlbedo, hn::Add(p, pr)), p, pr};
+}
+
+// The factors of the slab's four optics: R⁺ = front · up / w, R⁻ = back · down / w,
+// T⁺T⁻ = front · through / w².
+template <class V>
+struct SlabVectors {
+  V p2, q, r, t2, t2q, t2r, t2qr, p2q, p2r, p;
+  V w;      // W
+  V up;     // p² − t² r
+  V down;   // p² − t² q
+  V b1;     // 1 − p² q
+  V b2;     // 1 − p² r
+  V b12;
+  V front;    // a (1 + q)
+  V back;     // B = a (1 + r)
+  V through;  // B t² b1 b2
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE SlabVectors<V> SlabOf(D d, const LayerConstants<hn::TFromD<D>>& layers,
+                                 const MediumVectors<V>& medium) {
+  using T = hn::TFromD<D>;
+  const V one = hn::Set(d, T(1));
+  const V s = medium.argument;
+  const V g = ExpOfNegative(d, hn::Mul(s, hn::Set(d, T(-1.0 / 3.0))));
+  const V t = ExpOfNegative(d, hn::Mul(medium.transport, hn::Set(d, -layers.thicknessMm)));
+  const V g2 = hn::Mul(g, g);
+  SlabVectors<V> slab;
+  slab.q = ExpOfNegative(d, hn::Mul(s, hn::Set(d, -layers.airGap)));
+  slab.p = hn::Mul(g2, g);
+  slab.r = hn::Mul(g2, g2);
+  slab.p2 = hn::Mul(slab.p, slab.p);
+  slab.t2 = hn::Mul(t, t);
+  slab.t2q = hn::Mul(slab.t2, slab.q);
+  slab.t2r = hn::Mul(slab.t2, slab.r);
+  slab.t2qr = hn::Mul(slab.t2q, slab.r);
+  slab.p2q = hn::Mul(slab.p2, slab.q);
+  slab.p2r = hn::Mul(slab.p2, slab.r);
+  slab.w = hn::Mul(slab.p, hn::Sub(one, slab.t2qr));
+  slab.up = hn::Sub(slab.p2, slab.t2r);
+  slab.down = hn::Sub(slab.p2, slab.t2q);
+  slab.b1 = hn::Sub(one, slab.p2q);
+  slab.b2 = hn::Sub(one, slab.p2r);
+  slab.b12 = hn::Mul(slab.b1, slab.b2);
+  slab.front = hn::MulAdd(medium.halfAlbedo, slab.q, medium.halfAlbedo);
+  slab.back = hn::MulAdd(medium.halfAlbedo, slab.r, medium.halfAlbedo);
+  slab.through = hn::Mul(hn::Mul(slab.back, slab.t2), slab.b12);
+  return slab;
+}
+
 template <bool kDerivatives, class D, class V = hn::Vec<D>>
 HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::TFromD<D>>& layers,
                                                   const NodeConstants<hn::TFromD<D>>& node,
@@ -58,118 +147,75 @@ HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::
   const V one = hn::Set(d, T(1));
   const V scatteringE = hn::Set(d, node.epidermalScattering);
   const V scatteringD = hn::Set(d, node.dermalScattering);
-  const V thickness = hn::Set(d, layers.thicknessMm);
-  const V gap = hn::Set(d, layers.airGap);
-
-  // Media. u = σ_tr; the absorption floor keeps 1/u finite where a profile absorbs nothing.
-  const V floor = hn::Set(d, T(1e-6));
-  const V sigmaE = hn::Max(epidermalAbsorption, floor);
-  const V sigmaD = hn::Max(dermalAbsorption, floor);
+  const V sigmaE = PositiveAbsorption(d, epidermalAbsorption);
+  const V sigmaD = PositiveAbsorption(d, dermalAbsorption);
   const V extinctionE = hn::Add(sigmaE, scatteringE);
   const V extinctionD = hn::Add(sigmaD, scatteringD);
-  const V three = hn::Set(d, T(3));
-  const V uE = hn::Sqrt(hn::Mul(hn::Mul(three, sigmaE), extinctionE));
-  const V uD = hn::Sqrt(hn::Mul(hn::Mul(three, sigmaD), extinctionD));
-  const V extinctions = hn::Mul(extinctionE, extinctionD);
-  const V inverseBoth = hn::Div(one, extinctions);
-  const V pathE = hn::Mul(inverseBoth, extinctionD);  // ℓ
-  const V pathD = hn::Mul(inverseBoth, extinctionE);
-  const V half = hn::Set(d, T(0.5));
-  const V aE = hn::Mul(hn::Mul(half, scatteringE), pathE);
-  const V aD = hn::Mul(hn::Mul(half, scatteringD), pathD);
-  const V sE = hn::Mul(uE, pathE);
-  const V sD = hn::Mul(uD, pathD);
+  const V inverseBoth = hn::Div(one, hn::Mul(extinctionE, extinctionD));
+  const MediumVectors<V> epidermis =
+      MediumOf(d, sigmaE, scatteringE, extinctionE, hn::Mul(inverseBoth, extinctionD));
+  const MediumVectors<V> dermis =
+      MediumOf(d, sigmaD, scatteringD, extinctionD, hn::Mul(inverseBoth, extinctionE));
 
-  // Exponentials.
-  const V third = hn::Set(d, T(-1.0 / 3.0));
-  const V gE = ExpOfNegative(d, hn::Mul(sE, third));
-  const V gD = ExpOfNegative(d, hn::Mul(sD, third));
-  const V q = ExpOfNegative(d, hn::Neg(hn::Mul(sE, gap)));
-  const V t = ExpOfNegative(d, hn::Neg(hn::Mul(uE, thickness)));
-
-  // Half-space: R_d = a (p + p r).
-  const V gD2 = hn::Mul(gD, gD);
-  const V pD = hn::Mul(gD2, gD);
-  const V prD = hn::Mul(pD, hn::Mul(gD2, gD2));
-  const V below = hn::Mul(aD, hn::Add(pD, prD));
-
-  // Slab.
-  const V gE2 = hn::Mul(gE, gE);
-  const V p = hn::Mul(gE2, gE);
-  const V r = hn::Mul(gE2, gE2);
-  const V p2 = hn::Mul(p, p);
-  const V t2 = hn::Mul(t, t);
-  const V t2q = hn::Mul(t2, q);
-  const V t2r = hn::Mul(t2, r);
-  const V t2qr = hn::Mul(t2q, r);
-  const V p2q = hn::Mul(p2, q);
-  const V p2r = hn::Mul(p2, r);
-  const V w = hn::Mul(p, hn::Sub(one, t2qr));
-  const V up = hn::Sub(p2, t2r);
-  const V down = hn::Sub(p2, t2q);
-  const V b1 = hn::Sub(one, p2q);
-  const V b2 = hn::Sub(one, p2r);
-  const V b12 = hn::Mul(b1, b2);
-  const V bE = hn::MulAdd(aE, r, aE);       // B
-  const V aq = hn::MulAdd(aE, q, aE);       // a (1 + q)
-  const V bt2 = hn::Mul(bE, t2);
-  const V through = hn::Mul(bt2, b12);      // B t² (1 − p² q)(1 − p² r)
-  const V bDown = hn::Mul(bE, down);
-  const V v = hn::NegMulAdd(bDown, below, w);
-  const V inverseWV = hn::Div(one, hn::Mul(w, v));
+  const HalfSpaceVectors<V> half = HalfSpaceOf(d, dermis);
+  const SlabVectors<V> slab = SlabOf(d, layers, epidermis);
+  const V below = half.reflectance;
+  const V v = hn::NegMulAdd(hn::Mul(slab.back, slab.down), below, slab.w);
+  const V inverseWV = hn::Div(one, hn::Mul(slab.w, v));
   const V inverseW = hn::Mul(inverseWV, v);
-  const V inverseV = hn::Mul(inverseWV, w);
-  const V k = hn::Mul(below, inverseV);     // R_d / V
-  const V inner = hn::MulAdd(through, k, up);
-  const V front = hn::Mul(aq, inverseW);
+  const V inverseV = hn::Mul(inverseWV, slab.w);
+  const V k = hn::Mul(below, inverseV);  // R_d / V
+  const V inner = hn::MulAdd(slab.through, k, slab.up);
+  const V front = hn::Mul(slab.front, inverseW);
   LayeredVectors<V> result;
   result.reflectance = hn::Mul(front, inner);
   if constexpr (kDerivatives) {
-    const V inverseU = hn::Div(one, hn::Mul(uE, uD));
-    const V inverseUE = hn::Mul(inverseU, uD);
-    const V inverseUD = hn::Mul(inverseU, uE);
-    // ds/dσ = 3/2 σ_s'/(σ_t'² u) · … written with α': s' = 3 a ℓ / s, and 1/s = σ_t'/u.
-    const V dsE = hn::Mul(hn::Mul(three, aE), inverseUE);
-    const V dsD = hn::Mul(hn::Mul(three, aD), inverseUD);
+    const V three = hn::Set(d, T(3));
+    const V inverseU = hn::Div(one, hn::Mul(epidermis.transport, dermis.transport));
+    const V inverseUE = hn::Mul(inverseU, dermis.transport);
+    const V inverseUD = hn::Mul(inverseU, epidermis.transport);
+    // With respect to the layer's own absorption: s' = 3 a ℓ / s = 3 a / u, a' = −ℓ a,
+    // u' = 3 (σ_t' + σ_a) / 2u.
+    const V dsE = hn::Mul(hn::Mul(three, epidermis.halfAlbedo), inverseUE);
+    const V dsD = hn::Mul(hn::Mul(three, dermis.halfAlbedo), inverseUD);
     const V duE = hn::Mul(hn::Mul(hn::Set(d, T(1.5)), hn::Add(extinctionE, sigmaE)), inverseUE);
 
-    // Dermis: dR_d = −ℓ R_d − a (p + 7/3 p r) s'.
-    const V seventhirds = hn::Set(d, T(7.0 / 3.0));
-    const V falling = hn::Mul(hn::Mul(aD, dsD), hn::MulAdd(seventhirds, prD, pD));
-    const V dBelow = hn::NegMulAdd(pathD, below, hn::Neg(falling));
-    // ∂R/∂R_d = a (1 + q) B t² (…)(…) / V².
-    result.perDermalAbsorption = hn::Mul(
-        hn::Mul(aq, through), hn::Mul(hn::Mul(inverseV, inverseV), dBelow));
+    // Dermis: R_d' = −ℓ R_d − a (p + 7/3 p r) s' and ∂R/∂R_d = front · through / V².
+    const V falling = hn::Mul(hn::Mul(dermis.halfAlbedo, dsD),
+                              hn::MulAdd(hn::Set(d, T(7.0 / 3.0)), half.pr, half.p));
+    const V dBelow = hn::NegMulAdd(dermis.path, below, hn::Neg(falling));
+    result.perDermalAbsorption = hn::Mul(hn::Mul(slab.front, slab.through),
+                                         hn::Mul(hn::Mul(inverseV, inverseV), dBelow));
 
-    // Epidermis, product rule from the inside out.
-    const V fourThirds = hn::Set(d, T(4.0 / 3.0));
-    const V two = hn::Set(d, T(2));
-    const V dDepth2 = hn::Mul(hn::Mul(two, thickness), duE);  // (2 u d)'
-    const V gapS = hn::Mul(gap, dsE);
-    const V rS = hn::Mul(fourThirds, dsE);
-    const V dp2 = hn::Mul(hn::Mul(two, p2), dsE);              // −(p²)'
-    const V dUp = hn::MulSub(t2r, hn::Add(dDepth2, rS), dp2);
-    const V dDown = hn::MulSub(t2q, hn::Add(dDepth2, gapS), dp2);
-    const V twoS = hn::Mul(two, dsE);
-    const V dB1 = hn::Mul(p2q, hn::Add(twoS, gapS));
-    const V dB2 = hn::Mul(p2r, hn::Add(twoS, rS));
-    const V dC = hn::Mul(t2qr, hn::Add(dDepth2, hn::Add(gapS, rS)));
-    const V dW = hn::MulSub(p, dC, hn::Mul(w, dsE));
-    // B' = −ℓ B − a r rS, (a (1 + q))' = −ℓ a (1 + q) − a q gapS.
-    const V dB = hn::Neg(hn::MulAdd(pathE, bE, hn::Mul(hn::Mul(aE, r), rS)));
-    const V dAq = hn::Neg(hn::MulAdd(pathE, aq, hn::Mul(hn::Mul(aE, q), gapS)));
-    // through' = t² [B' b12 + B (b1' b2 + b1 b2') − B b12 (2ud)']
-    V dThrough = hn::MulAdd(dB1, b2, hn::Mul(b1, dB2));
-    dThrough = hn::NegMulAdd(b12, dDepth2, dThrough);
-    dThrough = hn::Mul(t2, hn::MulAdd(bE, dThrough, hn::Mul(dB, b12)));
+    // Epidermis: the product rule from the inside out. Exponents first.
+    const V dDepth2 = hn::Mul(hn::Set(d, 2 * layers.thicknessMm), duE);
+    const V dGap = hn::Mul(hn::Set(d, layers.airGap), dsE);
+    const V dInnerGap = hn::Mul(hn::Set(d, T(4.0 / 3.0)), dsE);
+    const V dTwo = hn::Mul(hn::Set(d, T(2)), dsE);
+    const V dP2 = hn::Mul(slab.p2, dTwo);  // −(p²)'
+    const V dUp = hn::MulSub(slab.t2r, hn::Add(dDepth2, dInnerGap), dP2);
+    const V dDown = hn::MulSub(slab.t2q, hn::Add(dDepth2, dGap), dP2);
+    const V dB1 = hn::Mul(slab.p2q, hn::Add(dTwo, dGap));
+    const V dB2 = hn::Mul(slab.p2r, hn::Add(dTwo, dInnerGap));
+    const V dC = hn::Mul(slab.t2qr, hn::Add(dDepth2, hn::Add(dGap, dInnerGap)));
+    const V dW = hn::MulSub(slab.p, dC, hn::Mul(slab.w, dsE));
+    const V dBack = hn::Neg(hn::MulAdd(epidermis.path, slab.back,
+                                       hn::Mul(hn::Mul(epidermis.halfAlbedo, slab.r), dInnerGap)));
+    const V dFront = hn::Neg(hn::MulAdd(epidermis.path, slab.front,
+                                        hn::Mul(hn::Mul(epidermis.halfAlbedo, slab.q), dGap)));
+    // through' = t² [B' b12 + B (b1' b2 + b1 b2' − b12 (2ud)')]
+    V dThrough = hn::MulAdd(dB1, slab.b2, hn::Mul(slab.b1, dB2));
+    dThrough = hn::NegMulAdd(slab.b12, dDepth2, dThrough);
+    dThrough = hn::Mul(slab.t2, hn::MulAdd(slab.back, dThrough, hn::Mul(dBack, slab.b12)));
     // V' = W' − (B' down + B down') R_d
-    const V dV = hn::NegMulAdd(hn::MulAdd(dB, down, hn::Mul(bE, dDown)), below, dW);
+    const V dV = hn::NegMulAdd(
+        hn::MulAdd(dBack, slab.down, hn::Mul(slab.back, dDown)), below, dW);
     // inner' = up' + k (through' − through V'/V)
     const V dInner = hn::MulAdd(
-        k, hn::NegMulAdd(hn::Mul(through, inverseV), dV, dThrough), dUp);
-    // R' = (a(1+q))' inner/W + front inner' − R W'/W
+        k, hn::NegMulAdd(hn::Mul(slab.through, inverseV), dV, dThrough), dUp);
+    // R' = front' inner/W + front inner'/W − R W'/W
     V slope = hn::Mul(front, dInner);
-    slope = hn::MulAdd(hn::Mul(dAq, inverseW), inner, slope);
+    slope = hn::MulAdd(hn::Mul(dFront, inverseW), inner, slope);
     result.perEpidermalAbsorption =
         hn::NegMulAdd(hn::Mul(result.reflectance, inverseW), dW, slope);
   }

@@ -1,0 +1,54 @@
+#pragma once
+
+// Edits of skin by its biology: pure functions from parameters to parameters.
+//
+// An edit changes any of the five parameters of every pixel that has an estimate, blended by a mask
+// and an opacity; a stack applies its edits from first to last. Results are clamped to the profile's
+// ranges.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/base/plane.h"
+#include "core/skin/parameter_axis.h"
+#include "core/skin/parameter_buffer.h"
+
+namespace cutis {
+
+// value → set, if given, else scaled + add.
+//
+// Melanin, blend and carotene scale linearly, C · s. The haemoglobins scale by their index on the
+// table's axis (paper, §4.3): C · (1 + (s − 1) · i/N), so that the local variation of blood is
+// accentuated.
+struct ParameterEdit {
+  double scale = 1.0;  // not negative
+  double add = 0.0;    // in the parameter's unit
+  std::optional<double> set;
+
+  bool isNeutral() const { return scale == 1.0 && add == 0.0 && !set; }
+  bool operator==(const ParameterEdit&) const = default;
+};
+
+struct Edit {
+  std::array<ParameterEdit, kParameterCount> parameters;
+  // 0 leaves the original, 1 the edited value, between blends. Empty: everywhere 1. Otherwise the
+  // size of the maps.
+  Plane mask;
+  double opacity = 1.0;  // [0, 1]
+  bool enabled = true;
+
+  bool isNeutral() const;
+};
+
+using EditStack = std::vector<Edit>;
+
+// The edited value of one pixel's parameter, clamped to the axis.
+double editedValue(const ParameterEdit& edit, Parameter parameter, const ParameterAxis& axis,
+                   double value);
+
+// Edits the pixels of a buffer that was loaded from `rect` with `step` (see loadParameters).
+Status applyEdits(const EditStack& edits, const ParameterAxes& axes, const Rect& rect, int step,
+                  ParameterBuffer& buffer);
+
+}  // namespace cutis

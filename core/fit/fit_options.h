@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/base/plane.h"
+#include "core/rig/rig.h"
+#include "core/skin/prior.h"
+
+namespace cutis {
+
+enum class FitMethod { refined, threeStage, fullSearch };
+
+struct FitOptions {
+  FitMethod method = FitMethod::refined;
+  // The profile's prior and the rig's noise unless given.
+  std::optional<Prior> prior;
+  std::optional<NoiseModel> noise;
+  // Parameters held at a value instead of being estimated (refined only).
+  std::array<std::optional<double>, kParameterCount> fixed = {};
+  bool deviations = false;  // posterior standard deviations per parameter (refined only)
+  bool residuals = false;   // measured minus modelled per channel
+  PixelFormat mapFormat = PixelFormat::float32;
+};
+
+}  // namespace cutis

@@ -1,0 +1,274 @@
+#include "core/fit/fit_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "core/base/parallel.h"
+#include "core/fit/pixel_grouping.h"
+#include "core/skin/pixel_state.h"
+
+namespace cutis {
+namespace {
+
+// Pixels handed to the solver between two looks at the stop token.
+constexpr std::size_t kBatch = 256;
+constexpr int kResidualStep = 8;
+
+struct TileResult {
+  FitStatistics::Pixels pixels;
+  std::uint64_t iterations = 0;
+  int maximumIterations = 0;
+  std::vector<float> residuals;  // sampled, per pixel
+};
+
+// Working memory of one tile: rows of tile.pixelCount() floats.
+class TileFit {
+ public:
+  TileFit(const Measurements& measurements, const PixelSolver& solver, FitPlanes& planes,
+          const Rect& rect)
+      : measurements_(measurements),
+        solver_(solver),
+        planes_(planes),
+        rect_(rect),
+        pixelCount_(rect.pixelCount()),
+        channelCount_(measurements.channels.size()) {}
+
+  Result<TileResult> run(const JobContext& context) {
+    CUTIS_CHECK(load());
+    collect();
+    const PixelGrouping grouping =
+        groupEqualPixels(channels_.data(), channelCount_, pixelCount_, pixels_);
+    Solutions solutions = gather(grouping);
+    for (std::size_t begin = 0; begin < solutions.count; begin += kBatch) {
+      if (context.stopRequested()) return Cancelled{};
+      solver_.solve(solutions.batch(begin, std::min(kBatch, solutions.count - begin)));
+    }
+    scatter(grouping, solutions);
+    CUTIS_CHECK(store());
+    return result_;
+  }
+
+ private:
+  // Channels and results of the pixels to solve, packed.
+  struct Solutions {
+    std::size_t count = 0;
+    std::vector<float> channels, parameters, deviations, residuals;
+    std::vector<std::uint8_t> states;
+    std::vector<std::uint16_t> iterations;
+
+    SolveBatch batch(std::size_t begin, std::size_t size) {
+      SolveBatch part;
+      part.count = size;
+      part.stride = count;
+      part.channels = channels.data() + begin;
+      part.parameters = parameters.data() + begin;
+      part.states = states.data() + begin;
+      part.iterations = iterations.data() + begin;
+      part.deviations = deviations.empty() ? nullptr : deviations.data() + begin;
+      part.residuals = residuals.data() + begin;
+      return part;
+    }
+  };
+
+  Status load() {
+    channels_.resize(channelCount_ * pixelCount_);
+    for (std::size_t k = 0; k < channelCount_; ++k) {
+      CUTIS_CHECK(measurements_.channels[k].load(rect_, row(channels_, k)));
+    }
+    states_.resize(pixelCount_);
+    return measurements_.state.load(rect_, states_);
+  }
+
+  // Pixels there are to solve; counts the others.
+  void collect() {
+    result_.pixels.total = pixelCount_;
+    std::vector<float> values(channelCount_);
+    for (std::size_t i = 0; i < pixelCount_; ++i) {
+      switch (static_cast<PixelState>(static_cast<int>(states_[i]))) {
+        case PixelState::masked:
+          ++result_.pixels.masked;
+          continue;
+        case PixelState::invalid:
+          ++result_.pixels.invalid;
+          continue;
+        case PixelState::saturated:
+          ++result_.pixels.saturated;
+          continue;
+        case PixelState::solved:
+        case PixelState::noConvergence:
+          break;
+      }
+      for (std::size_t k = 0; k < channelCount_; ++k) values[k] = channels_[k * pixelCount_ + i];
+      if (classify(values, 1.0f, false) != PixelState::solved) {
+        states_[i] = static_cast<float>(PixelState::invalid);
+        ++result_.pixels.invalid;
+        continue;
+      }
+      pixels_.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  Solutions gather(const PixelGrouping& grouping) const {
+    Solutions solutions;
+    solutions.count = grouping.representatives.size();
+    solutions.channels.resize(channelCount_ * solutions.count);
+    for (std::size_t k = 0; k < channelCount_; ++k) {
+      for (std::size_t g = 0; g < solutions.count; ++g) {
+        solutions.channels[k * solutions.count + g] =
+            channels_[k * pixelCount_ + grouping.representatives[g]];
+      }
+    }
+    solutions.parameters.resize(kParameterCount * solutions.count);
+    solutions.states.resize(solutions.count);
+    solutions.iterations.resize(solutions.count);
+    if (!planes_.deviations.empty()) {
+      solutions.deviations.resize(kParameterCount * solutions.count);
+    }
+    solutions.residuals.resize(channelCount_ * solutions.count);
+    return solutions;
+  }
+
+  void scatter(const PixelGrouping& grouping, const Solutions& solutions) {
+    result_.pixels.solved = solutions.count;
+    result_.pixels.duplicate = pixels_.size() - solutions.count;
+    for (const std::uint16_t n : solutions.iterations) {
+      result_.iterations += n;
+      result_.maximumIterations = std::max(result_.maximumIterations, int{n});
+    }
+    values_.assign(kParameterCount * pixelCount_, 0.0f);
+    spread(grouping, solutions.parameters, solutions.count, kParameterCount, values_);
+    if (!planes_.deviations.empty()) {
+      deviations_.assign(kParameterCount * pixelCount_, 0.0f);
+      spread(grouping, solutions.deviations, solutions.count, kParameterCount, deviations_);
+    }
+    if (!planes_.residuals.empty()) {
+      residuals_.assign(channelCount_ * pixelCount_, 0.0f);
+      spread(grouping, solutions.residuals, solutions.count, channelCount_, residuals_);
+    }
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const std::uint32_t group = grouping.groupOf[i];
+      states_[pixels_[i]] = solutions.states[group];
+      if (solutions.states[group] == static_cast<int>(PixelState::noConvergence)) {
+        ++result_.pixels.noConvergence;
+      }
+      sampleResidual(pixels_[i], group, solutions);
+    }
+  }
+
+  void spread(const PixelGrouping& grouping, const std::vector<float>& from, std::size_t stride,
+              std::size_t rows, std::vector<float>& to) const {
+    for (std::size_t k = 0; k < rows; ++k) {
+      for (std::size_t i = 0; i < pixels_.size(); ++i) {
+        to[k * pixelCount_ + pixels_[i]] = from[k * stride + grouping.groupOf[i]];
+      }
+    }
+  }
+
+  void sampleResidual(std::uint32_t pixel, std::uint32_t group, const Solutions& solutions) {
+    const auto width = static_cast<std::uint32_t>(rect_.width());
+    const int x = rect_.x0 + static_cast<int>(pixel % width);
+    const int y = rect_.y0 + static_cast<int>(pixel / width);
+    if (x % kResidualStep != 0 || y % kResidualStep != 0) return;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < channelCount_; ++k) {
+      const double r = solutions.residuals[k * solutions.count + group];
+      sum += r * r;
+    }
+    result_.residuals.push_back(
+        static_cast<float>(std::sqrt(sum / static_cast<double>(channelCount_))));
+  }
+
+  Status store() {
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      CUTIS_CHECK(planes_.maps.values[k].store(rect_, row(values_, k)));
+      if (!planes_.deviations.empty()) {
+        CUTIS_CHECK(planes_.deviations[k].store(rect_, row(deviations_, k)));
+      }
+    }
+    for (std::size_t k = 0; k < planes_.residuals.size(); ++k) {
+      CUTIS_CHECK(planes_.residuals[k].store(rect_, row(residuals_, k)));
+    }
+    return planes_.maps.state.store(rect_, states_);
+  }
+
+  std::span<float> row(std::vector<float>& values, std::size_t k) const {
+    return std::span<float>(values).subspan(k * pixelCount_, pixelCount_);
+  }
+
+  const Measurements& measurements_;
+  const PixelSolver& solver_;
+  FitPlanes& planes_;
+  const Rect rect_;
+  const std::size_t pixelCount_;
+  const std::size_t channelCount_;
+  std::vector<float> channels_, states_, values_, deviations_, residuals_;
+  std::vector<std::uint32_t> pixels_;
+  TileResult result_;
+};
+
+FitStatistics combine(const std::vector<TileResult>& tiles) {
+  FitStatistics total;
+  std::uint64_t iterations = 0;
+  std::vector<float> residuals;
+  for (const TileResult& tile : tiles) {
+    total.pixels.total += tile.pixels.total;
+    total.pixels.masked += tile.pixels.masked;
+    total.pixels.invalid += tile.pixels.invalid;
+    total.pixels.saturated += tile.pixels.saturated;
+    total.pixels.duplicate += tile.pixels.duplicate;
+    total.pixels.solved += tile.pixels.solved;
+    total.pixels.noConvergence += tile.pixels.noConvergence;
+    iterations += tile.iterations;
+    total.maximumIterations = std::max(total.maximumIterations, tile.maximumIterations);
+    residuals.insert(residuals.end(), tile.residuals.begin(), tile.residuals.end());
+  }
+  if (total.pixels.solved > 0) {
+    total.meanIterations =
+        static_cast<double>(iterations) / static_cast<double>(total.pixels.solved);
+  }
+  if (!residuals.empty()) {
+    const auto count = static_cast<double>(residuals.size());
+    total.meanResidual = std::accumulate(residuals.begin(), residuals.end(), 0.0) / count;
+    const auto at = residuals.begin() + static_cast<std::ptrdiff_t>(0.95 * (count - 1.0));
+    std::nth_element(residuals.begin(), at, residuals.end());
+    total.residual95 = *at;
+  }
+  return total;
+}
+
+}  // namespace
+
+FitPlanes::FitPlanes(const Measurements& measurements, const FitOptions& options,
+                     const std::shared_ptr<TileStore>& store)
+    : maps(measurements.width(), measurements.height(), options.mapFormat, store) {
+  const auto plane = [&] {
+    return Plane(measurements.width(), measurements.height(), options.mapFormat, store);
+  };
+  if (options.deviations) {
+    for (int k = 0; k < kParameterCount; ++k) deviations.push_back(plane());
+  }
+  if (options.residuals) {
+    for (std::size_t k = 0; k < measurements.channels.size(); ++k) residuals.push_back(plane());
+  }
+}
+
+Result<FitStatistics> runFit(const Measurements& measurements, const PixelSolver& solver,
+                             FitPlanes planes, const JobContext& context,
+                             const FitObserver& observer) {
+  const JobContext stage = context.child(0.0, 1.0, solver.stage());
+  const auto tileCount = static_cast<std::size_t>(planes.maps.state.tileCount());
+  std::vector<TileResult> tiles(tileCount);
+  CUTIS_CHECK(parallelFor(tileCount, stage, [&](std::size_t i) -> Status {
+    const Rect rect = planes.maps.state.tileRect(static_cast<int>(i));
+    CUTIS_TRY(tile, TileFit(measurements, solver, planes, rect).run(context));
+    tiles[i] = std::move(tile);
+    if (observer.finished) observer.finished(rect);
+    return {};
+  }));
+  return combine(tiles);
+}
+
+}  // namespace cutis

@@ -1,0 +1,191 @@
+#include "core/fit/map_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace cutis {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// The log scale ends here, in units of the axis: far below what can be measured.
+constexpr double kSmallestShare = 1e-7;
+// Standing in for "none" where no noise is asked for: well below what a 16-bit image resolves.
+constexpr double kExactNoise = 1e-7;
+// Convergence: the step would lower the cost by less than this share of one standard deviation².
+constexpr double kDecrement = 1e-10;
+
+}  // namespace
+
+MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
+                           const EstimatorOptions& options)
+    : model_(model), nodes_(std::move(nodes)), options_(options) {
+  for (Index k = 0; k < nodes_.weights.rows(); ++k) {
+    alive_.push_back(nodes_.weights.row(k).cwiseAbs().maxCoeff() > 0.0);
+  }
+  for (int i = 0; i < kParameterCount; ++i) {
+    const double maximum = model_.profile().axes[static_cast<std::size_t>(i)].maximum;
+    low_[i] = isLog(i) ? std::log(kSmallestShare * maximum) : 0.0;
+    high_[i] = coordinate(i, maximum);
+    if (options_.prior) {
+      priorMean_[i] = coordinate(i, options_.prior->mean[i]);
+      const double deviation = options_.prior->deviation[i];
+      priorPrecision_[i] = 1.0 / (deviation * deviation);
+    } else {
+      priorMean_[i] = 0.5 * (low_[i] + high_[i]);
+    }
+  }
+}
+
+double MapEstimator::coordinate(int parameter, double value) const {
+  if (!isLog(parameter)) return value;
+  const double maximum = model_.profile().axes[static_cast<std::size_t>(parameter)].maximum;
+  return std::log(std::max(value, kSmallestShare * maximum));
+}
+
+ParameterVector MapEstimator::parametersAt(const ParameterVector& coordinates) const {
+  ParameterVector parameters;
+  for (int i = 0; i < kParameterCount; ++i) {
+    parameters[i] = isLog(i) ? std::exp(coordinates[i]) : coordinates[i];
+  }
+  return parameters;
+}
+
+MapEstimator::Linearisation MapEstimator::linearise(const ParameterVector& coordinates) const {
+  const ParameterVector parameters = parametersAt(coordinates);
+  const auto count = static_cast<Index>(nodes_.samples.size());
+  VectorXd reflectance(count);
+  Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> slopes(count, kParameterCount);
+  for (Index n = 0; n < count; ++n) {
+    ParameterVector row;
+    reflectance[n] =
+        model_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters, row);
+    for (int i = 0; i < kParameterCount; ++i) {
+      slopes(n, i) = isLog(i) ? row[i] * parameters[i] : row[i];
+    }
+  }
+  return {nodes_.weights * reflectance, nodes_.weights * slopes};
+}
+
+double MapEstimator::cost(const VectorXd& channels, const VectorXd& precision,
+                          const ParameterVector& coordinates) const {
+  const ParameterVector parameters = parametersAt(coordinates);
+  VectorXd reflectance(static_cast<Index>(nodes_.samples.size()));
+  for (Index n = 0; n < reflectance.size(); ++n) {
+    reflectance[n] =
+        model_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters);
+  }
+  const VectorXd residual = channels - nodes_.weights * reflectance;
+  double sum = (precision.array() * residual.array().square()).sum();
+  sum += (priorPrecision_ * (coordinates - priorMean_).square()).sum();
+  return sum;
+}
+
+Estimate MapEstimator::solve(const VectorXd& channels) const {
+  return solve(channels, parametersAt(priorMean_));
+}
+
+Estimate MapEstimator::solve(const VectorXd& channels, const ParameterVector& start) const {
+  VectorXd precision(channels.size());
+  for (Index k = 0; k < channels.size(); ++k) {
+    const double proportional = options_.noise.proportional * channels[k];
+    const double variance = options_.noise.read * options_.noise.read +
+                            proportional * proportional + kExactNoise * kExactNoise;
+    precision[k] = alive_[static_cast<std::size_t>(k)] ? 1.0 / variance : 0.0;
+  }
+  std::array<bool, kParameterCount> fixed;
+  ParameterVector x;
+  for (int i = 0; i < kParameterCount; ++i) {
+    const auto& value = options_.fixed[static_cast<std::size_t>(i)];
+    fixed[static_cast<std::size_t>(i)] = value.has_value();
+    // A fixed value counts as it is, even 0 on the log scale.
+    x[i] = value ? coordinate(i, *value)
+                 : std::clamp(coordinate(i, start[i]), low_[i], high_[i]);
+  }
+
+  Estimate estimate;
+  double damping = 0.0;
+  double current = cost(channels, precision, x);
+  ParameterMatrix hessian;
+  VectorXd residual;
+  for (;; ++estimate.iterations) {
+    const Linearisation at = linearise(x);
+    residual = channels - at.modelled;
+    hessian = at.jacobian.transpose() * precision.asDiagonal() * at.jacobian;
+    hessian.diagonal() += priorPrecision_.matrix();
+    const Eigen::Matrix<double, kParameterCount, 1> downhill =
+        at.jacobian.transpose() * precision.asDiagonal() * residual -
+        (priorPrecision_ * (x - priorMean_)).matrix();
+    if (estimate.converged || estimate.iterations >= options_.maximumIterations) break;
+
+    // Coordinates that stay: fixed ones, and those at a bound that want to leave the box.
+    std::array<bool, kParameterCount> held = fixed;
+    for (int i = 0; i < kParameterCount; ++i) {
+      const bool outward = (x[i] <= low_[i] && downhill[i] <= 0.0) ||
+                           (x[i] >= high_[i] && downhill[i] >= 0.0);
+      if (outward) held[static_cast<std::size_t>(i)] = true;
+    }
+    bool accepted = false;
+    while (!accepted) {
+      ParameterMatrix damped = hessian;
+      Eigen::Matrix<double, kParameterCount, 1> right = downhill;
+      damped.diagonal() *= 1.0 + damping;
+      for (int i = 0; i < kParameterCount; ++i) {
+        if (!held[static_cast<std::size_t>(i)]) continue;
+        damped.row(i).setZero();
+        damped.col(i).setZero();
+        damped(i, i) = 1.0;
+        right[i] = 0.0;
+      }
+      const ParameterVector step = damped.ldlt().solve(right).array();
+      if ((step * right.array()).sum() < kDecrement || damping > 1e12) {
+        estimate.converged = true;
+        break;
+      }
+      ParameterVector next = x;
+      for (int i = 0; i < kParameterCount; ++i) {
+        if (!held[static_cast<std::size_t>(i)]) {
+          next[i] = std::clamp(x[i] + step[i], low_[i], high_[i]);
+        }
+      }
+      const double value = cost(channels, precision, next);
+      if (value <= current) {
+        x = next;
+        current = value;
+        damping = damping < 1e-9 ? 0.0 : damping * 0.1;
+        accepted = true;
+      } else {
+        damping = damping == 0.0 ? 1e-4 : damping * 10.0;
+      }
+    }
+  }
+
+  estimate.parameters = parametersAt(x);
+  for (int i = 0; i < kParameterCount; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    if (fixed[index]) {
+      estimate.parameters[i] = *options_.fixed[index];
+      hessian.row(i).setZero();
+      hessian.col(i).setZero();
+      hessian(i, i) = 1.0;
+    }
+  }
+  estimate.covariance = hessian.ldlt().solve(ParameterMatrix::Identity());
+  for (int i = 0; i < kParameterCount; ++i) {
+    const double deviation = std::sqrt(std::max(0.0, estimate.covariance(i, i)));
+    estimate.deviations[i] = isLog(i) ? deviation * estimate.parameters[i] : deviation;
+    if (fixed[static_cast<std::size_t>(i)]) {
+      estimate.covariance.row(i).setZero();
+      estimate.covariance.col(i).setZero();
+      estimate.deviations[i] = 0.0;
+    }
+  }
+  estimate.residual = residual;
+  estimate.cost = current;
+  return estimate;
+}
+
+}  // namespace cutis

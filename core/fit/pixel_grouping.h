@@ -1,0 +1,22 @@
+#pragma once
+
+// Finds equal pixels, so that each is solved once: 8-bit textures repeat their colours heavily.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cutis {
+
+struct PixelGrouping {
+  std::vector<std::uint32_t> representatives;  // pixels to solve, increasing
+  std::vector<std::uint32_t> groupOf;          // per pixel handed in: index into representatives
+};
+
+// channels: [channel][stride]; pixels: which of them to group, increasing. Equal means the same
+// bits in every channel. Where a sample of the pixels shows hardly any repetition every pixel is
+// its own group: looking for equals would cost more than it saves.
+PixelGrouping groupEqualPixels(const float* channels, std::size_t channelCount, std::size_t stride,
+                               const std::vector<std::uint32_t>& pixels);
+
+}  // namespace cutis

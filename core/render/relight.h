@@ -1,0 +1,23 @@
+#pragma once
+
+// Skin under a light: which rows of a response matrix a picture is.
+
+#include "core/spectra/colorimetry.h"
+#include "core/spectra/grid.h"
+
+namespace cutis {
+
+// Linear Rec.709 of skin under a light as an observer sees it: Y of a perfect diffuser is 1, so that
+// under D65 it is (1, 1, 1). Without adaptation a reddish light gives a reddish picture; with it, the
+// light's white becomes D65's. `daylight` is D65, for the white of Rec.709.
+SpectrumRows colourRows(const Spectrum& light, const Sensor& observer,
+                        ChromaticAdaptation adaptation, const Spectrum& daylight,
+                        const Sensor& standardObserver);
+
+// The three channels of a camera, each 1 for a perfect diffuser under the light.
+SpectrumRows cameraRows(const Spectrum& light, const Sensor& camera);
+
+// Mean reflectance over a band: flat light, flat sensor. Precondition: band.count() > 0.
+SpectrumRows bandRow(const Band& band);
+
+}  // namespace cutis

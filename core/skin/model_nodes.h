@@ -1,0 +1,15 @@
+#pragma once
+
+// Spectral nodes of a skin model, for whatever is asked of it: channels of a rig, XYZ under a light,
+// a UV band.
+
+#include "core/skin/skin_model.h"
+#include "core/spectra/spectral_nodes.h"
+
+namespace cutis {
+
+// Samples the profile's whole parameter box. Deterministic; about 0.1 s.
+SpectralNodes chooseModelNodes(const SkinModel& model, const SpectrumRows& rows,
+                               const NodeOptions& options = {});
+
+}  // namespace cutis

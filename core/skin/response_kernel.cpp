@@ -1,0 +1,83 @@
+#include "core/skin/response_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/skin/response_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/skin/diffusion-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cutis {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <std::size_t kRows>
+HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t i = 0; i < arguments.count; i += lanes) {
+    const std::size_t live = arguments.count - i < lanes ? arguments.count - i : lanes;
+    const auto load = [&](int k) HWY_ATTR {
+      if (live == lanes) return hn::LoadU(d, arguments.parameters[k] + i);
+      return hn::MaskedLoad(hn::FirstN(d, live), d, arguments.parameters[k] + i);
+    };
+    const V melanin = load(kMelanin);
+    const V melaninEu = hn::Mul(melanin, load(kMelaninBlend));
+    const V bloodDermal = load(kHaemoglobinDermal);
+    const V bloodEpidermal = load(kHaemoglobinEpidermal);
+    const V carotene = load(kCarotene);
+    V sums[kRows];
+    for (V& sum : sums) sum = hn::Zero(d);
+    const float* weights = arguments.weights;
+    for (std::size_t n = 0; n < arguments.nodeCount; ++n) {
+      V epidermal, dermal;
+      NodeAbsorption(d, arguments.nodes[n], melanin, melaninEu, bloodDermal, bloodEpidermal,
+                     carotene, epidermal, dermal);
+      const V reflectance = LayeredReflectanceOf<false>(d, arguments.layers, arguments.nodes[n],
+                                                        epidermal, dermal)
+                                .reflectance;
+      for (std::size_t k = 0; k < kRows; ++k) {
+        sums[k] = hn::MulAdd(reflectance, hn::Set(d, weights[k]), sums[k]);
+      }
+      weights += arguments.weightStride;
+    }
+    for (std::size_t k = 0; k < kRows; ++k) {
+      if (live == lanes) {
+        hn::StoreU(sums[k], d, arguments.out[k] + i);
+      } else {
+        hn::BlendedStore(sums[k], hn::FirstN(d, live), d, arguments.out[k] + i);
+      }
+    }
+  }
+}
+
+void RespondAny(const ResponseArguments& arguments) {
+  switch (arguments.rowCount) {
+    case 1:
+      return Respond<1>(arguments);
+    case 2:
+      return Respond<2>(arguments);
+    case 3:
+      return Respond<3>(arguments);
+    default:
+      return Respond<4>(arguments);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cutis
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cutis {
+
+HWY_EXPORT(RespondAny);
+
+void runResponseKernel(const ResponseArguments& arguments) {
+  HWY_DYNAMIC_DISPATCH(RespondAny)(arguments);
+}
+
+}  // namespace cutis
+#endif  // HWY_ONCE

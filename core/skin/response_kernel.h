@@ -1,0 +1,28 @@
+#pragma once
+
+// Vectorised part of core/skin/response_model.cpp. Plain data, see node_constants.h.
+
+#include <cstddef>
+
+#include "core/skin/node_constants.h"
+#include "core/skin/parameter.h"
+
+namespace cutis {
+
+inline constexpr int kMaximumResponseRows = 4;
+
+struct ResponseArguments {
+  const NodeConstants<float>* nodes;
+  std::size_t nodeCount;
+  LayerConstants<float> layers;
+  const float* parameters[kParameterCount];
+  std::size_t count;
+  const float* weights;      // [node][weightStride], the first rowCount of each are used
+  std::size_t weightStride;
+  std::size_t rowCount;      // at most kMaximumResponseRows
+  float* const* out;         // [row][count]
+};
+
+void runResponseKernel(const ResponseArguments& arguments);
+
+}  // namespace cutis

@@ -1,0 +1,43 @@
+#include "core/skin/response_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cstddef>
+
+#include "core/skin/model_nodes.h"
+#include "core/skin/response_kernel.h"
+
+namespace cutis {
+
+ResponseModel::ResponseModel(const SkinModel& model, const SpectrumRows& rows,
+                             const NodeOptions& options)
+    : nodes_(chooseModelNodes(model, rows, options)), model_(model, nodes_.samples) {
+  for (Eigen::Index n = 0; n < nodes_.weights.cols(); ++n) {
+    for (Eigen::Index k = 0; k < nodes_.weights.rows(); ++k) {
+      weights_.push_back(static_cast<float>(nodes_.weights(k, n)));
+    }
+  }
+}
+
+void ResponseModel::evaluate(const ParameterBatch<float>& batch,
+                             std::span<float* const> out) const {
+  assert(out.size() == static_cast<std::size_t>(rowCount()));
+  ResponseArguments arguments = {};
+  arguments.nodes = model_.nodes<float>().data();
+  arguments.nodeCount = model_.nodes<float>().size();
+  arguments.layers = model_.layers<float>();
+  for (std::size_t k = 0; k < batch.values.size(); ++k) arguments.parameters[k] = batch.values[k];
+  arguments.count = batch.count;
+  arguments.weights = weights_.data();
+  arguments.weightStride = out.size();
+  // More rows than the kernel holds in registers are done in groups.
+  for (std::size_t first = 0; first < out.size(); first += kMaximumResponseRows) {
+    arguments.rowCount = std::min<std::size_t>(kMaximumResponseRows, out.size() - first);
+    arguments.weights = weights_.data() + first;
+    arguments.out = out.data() + first;
+    runResponseKernel(arguments);
+  }
+}
+
+}  // namespace cutis

@@ -1,0 +1,36 @@
+#pragma once
+
+// Rows of a response matrix times the reflectance of skin: camera channels, colour under a light, a
+// UV or NIR band are all this one operation. The rows are reduced to spectral nodes once; a pixel
+// then costs a dozen reflectances and a small product.
+
+#include <span>
+#include <vector>
+
+#include "core/skin/node_model.h"
+#include "core/skin/reflectance_batch.h"
+#include "core/skin/skin_model.h"
+#include "core/spectra/spectral_nodes.h"
+
+namespace cutis {
+
+// Thread-safe: const after construction.
+class ResponseModel {
+ public:
+  // Chooses the nodes (about 0.1 s).
+  ResponseModel(const SkinModel& model, const SpectrumRows& rows, const NodeOptions& options = {});
+
+  int rowCount() const { return static_cast<int>(nodes_.weights.rows()); }
+  const SpectralNodes& nodes() const { return nodes_; }
+
+  // out[row][i] for each pixel of the batch. Within 2e-6 of SkinModel at the nodes, plus the nodes'
+  // own error; the properties of reflectanceBatch() hold.
+  void evaluate(const ParameterBatch<float>& batch, std::span<float* const> out) const;
+
+ private:
+  SpectralNodes nodes_;
+  NodeModel model_;
+  std::vector<float> weights_;  // by node, then row
+};
+
+}  // namespace cutis
