@@ -14,9 +14,6 @@ SpectrumRows colourRows(const Spectrum& light, const Sensor& observer,
                         ChromaticAdaptation adaptation, const Spectrum& daylight,
                         const Sensor& standardObserver);
 
-// The three channels of a camera, each 1 for a perfect diffuser under the light.
-SpectrumRows cameraRows(const Spectrum& light, const Sensor& camera);
-
 // Mean reflectance over a band: flat light, flat sensor. Precondition: band.count() > 0.
 SpectrumRows bandRow(const Band& band);
 

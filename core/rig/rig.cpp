@@ -78,11 +78,9 @@ Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
 
 SpectrumRows responseRows(const Rig& rig) {
   SpectrumRows rows(rig.channelCount(), kSampleCount);
-  for (int k = 0; k < rig.channelCount(); ++k) {
-    const Spectrum& power = rig.lights[static_cast<std::size_t>(k / 3)].power;
-    rows.row(k) = rig.camera.sensor.sensitivity.row(k % 3) * power.transpose();
-    const double sum = rows.row(k).sum();
-    if (sum > 0.0) rows.row(k) /= sum;
+  for (int k = 0; k < static_cast<int>(rig.lights.size()); ++k) {
+    rows.middleRows(3 * k, 3) =
+        channelRows(rig.lights[static_cast<std::size_t>(k)].power, rig.camera.sensor);
   }
   return rows;
 }

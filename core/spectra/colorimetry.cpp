@@ -48,6 +48,16 @@ SpectrumRows tristimulusRows(const Spectrum& light, const Sensor& observer) {
   return rows;
 }
 
+SpectrumRows channelRows(const Spectrum& light, const Sensor& camera) {
+  SpectrumRows rows(3, kSampleCount);
+  for (int c = 0; c < 3; ++c) {
+    rows.row(c) = camera.sensitivity.row(c) * light.transpose();
+    const double sum = rows.row(c).sum();
+    if (sum > 0.0) rows.row(c) /= sum;
+  }
+  return rows;
+}
+
 Eigen::Matrix3d xyzFromRec709(const Eigen::Vector3d& white) {
   Eigen::Matrix3d primaries;  // columns: XYZ of R, G, B at unit x + y + z
   primaries << 0.64, 0.30, 0.15, 0.33, 0.60, 0.06, 0.03, 0.10, 0.79;

@@ -21,6 +21,10 @@ Eigen::Vector3d whitePoint(const Spectrum& light, const Sensor& observer);
 // for a perfect diffuser under the light.
 SpectrumRows tristimulusRows(const Spectrum& light, const Sensor& observer);
 
+// The three channels of a camera under a light, each 1 for a perfect diffuser; a channel that sees
+// nothing is all zero.
+SpectrumRows channelRows(const Spectrum& light, const Sensor& camera);
+
 // Linear Rec.709 to XYZ and back, for a given white: RGB (1, 1, 1) is exactly that white. With the
 // white of D65 on our grid it agrees with the matrices of IEC 61966-2-1 to 2e-4, and a perfect
 // diffuser under D65 is exactly (1, 1, 1).
