@@ -44,9 +44,10 @@ class TileFit {
     Solutions solutions = gather(grouping);
     for (std::size_t begin = 0; begin < solutions.count; begin += kBatch) {
       if (context.stopRequested()) return Cancelled{};
-      solver_.solve(solutions.batch(begin, std::min(kBatch, solutions.count - begin)));
+      solutions.solve(solver_, begin, std::min(kBatch, solutions.count - begin));
     }
     scatter(grouping, solutions);
+    sampleResiduals(grouping, solutions);
     CUTIS_CHECK(store());
     return result_;
   }
@@ -55,21 +56,16 @@ class TileFit {
   // Channels and results of the pixels to solve, packed.
   struct Solutions {
     std::size_t count = 0;
-    std::vector<float> channels, parameters, deviations, residuals;
+    std::vector<float> channels, parameters;
+    std::vector<float> deviations, residuals;  // if wanted
     std::vector<std::uint8_t> states;
     std::vector<std::uint16_t> iterations;
 
-    SolveBatch batch(std::size_t begin, std::size_t size) {
-      SolveBatch part;
-      part.count = size;
-      part.stride = count;
-      part.channels = channels.data() + begin;
-      part.parameters = parameters.data() + begin;
-      part.states = states.data() + begin;
-      part.iterations = iterations.data() + begin;
-      part.deviations = deviations.empty() ? nullptr : deviations.data() + begin;
-      part.residuals = residuals.data() + begin;
-      return part;
+    void solve(const PixelSolver& solver, std::size_t begin, std::size_t size) {
+      const PixelBatch batch = {size, count, channels.data() + begin, parameters.data() + begin};
+      solver.solve(batch, {states.data() + begin, iterations.data() + begin});
+      if (!deviations.empty()) solver.deviations(batch, deviations.data() + begin);
+      if (!residuals.empty()) solver.residuals(batch, residuals.data() + begin);
     }
   };
 
@@ -127,7 +123,7 @@ class TileFit {
     if (!planes_.deviations.empty()) {
       solutions.deviations.resize(kParameterCount * solutions.count);
     }
-    solutions.residuals.resize(channelCount_ * solutions.count);
+    if (!planes_.residuals.empty()) solutions.residuals.resize(channelCount_ * solutions.count);
     return solutions;
   }
 
@@ -154,7 +150,6 @@ class TileFit {
       if (solutions.states[group] == static_cast<int>(PixelState::noConvergence)) {
         ++result_.pixels.noConvergence;
       }
-      sampleResidual(pixels_[i], group, solutions);
     }
   }
 
@@ -167,18 +162,36 @@ class TileFit {
     }
   }
 
-  void sampleResidual(std::uint32_t pixel, std::uint32_t group, const Solutions& solutions) {
+  // Residuals of a regular sample of pixels, for the statistics.
+  void sampleResiduals(const PixelGrouping& grouping, const Solutions& solutions) {
     const auto width = static_cast<std::uint32_t>(rect_.width());
-    const int x = rect_.x0 + static_cast<int>(pixel % width);
-    const int y = rect_.y0 + static_cast<int>(pixel / width);
-    if (x % kResidualStep != 0 || y % kResidualStep != 0) return;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < channelCount_; ++k) {
-      const double r = solutions.residuals[k * solutions.count + group];
-      sum += r * r;
+    std::vector<std::uint32_t> groups;
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const int x = rect_.x0 + static_cast<int>(pixels_[i] % width);
+      const int y = rect_.y0 + static_cast<int>(pixels_[i] / width);
+      if (x % kResidualStep == 0 && y % kResidualStep == 0) groups.push_back(grouping.groupOf[i]);
     }
-    result_.residuals.push_back(
-        static_cast<float>(std::sqrt(sum / static_cast<double>(channelCount_))));
+    const auto pick = [&](const std::vector<float>& rows, std::size_t rowCount) {
+      std::vector<float> picked;
+      for (std::size_t k = 0; k < rowCount; ++k) {
+        for (const std::uint32_t group : groups) picked.push_back(rows[k * solutions.count + group]);
+      }
+      return picked;
+    };
+    const std::vector<float> channels = pick(solutions.channels, channelCount_);
+    std::vector<float> parameters = pick(solutions.parameters, kParameterCount);
+    std::vector<float> residuals(channels.size());
+    solver_.residuals({groups.size(), groups.size(), channels.data(), parameters.data()},
+                      residuals.data());
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < channelCount_; ++k) {
+        const double r = residuals[k * groups.size() + i];
+        sum += r * r;
+      }
+      result_.residuals.push_back(
+          static_cast<float>(std::sqrt(sum / static_cast<double>(channelCount_))));
+    }
   }
 
   Status store() {

@@ -4,25 +4,25 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <memory>
 
-#include "core/base/job_context.h"
-#include "core/base/result.h"
+#include "core/skin/response_model.h"
 
 namespace cutis {
 
-// Arrays hold one row of `stride` floats per channel or parameter; the first `count` count.
-struct SolveBatch {
+// Pixels side by side: one row of `stride` floats per channel or parameter, of which the first
+// `count` count.
+struct PixelBatch {
   std::size_t count = 0;
   std::size_t stride = 0;
-  const float* channels = nullptr;    // in: [channel][stride], finite and not negative
-  float* parameters = nullptr;        // out: [parameter][stride], in the parameters' units
-  std::uint8_t* states = nullptr;     // out: PixelState, solved or noConvergence
-  std::uint16_t* iterations = nullptr;  // out: 0 for a search
-  float* deviations = nullptr;        // out: [parameter][stride], posterior standard deviations;
-                                      // null: not wanted
-  float* residuals = nullptr;         // out: [channel][stride], measured minus modelled; null: not
-                                      // wanted
+  const float* channels = nullptr;  // [channel][stride], finite and not negative
+  float* parameters = nullptr;      // [parameter][stride], in the parameters' units
+};
+
+// What solving says about each pixel beside its parameters.
+struct SolveReport {
+  std::uint8_t* states = nullptr;       // PixelState, solved or noConvergence
+  std::uint16_t* iterations = nullptr;  // 0 for a search
 };
 
 // Thread-safe: const after construction. A pixel's result is a function of its own channels alone,
@@ -31,12 +31,31 @@ class PixelSolver {
  public:
   virtual ~PixelSolver() = default;
 
-  virtual void solve(const SolveBatch& batch) const = 0;
+  // Writes batch.parameters.
+  virtual void solve(const PixelBatch& batch, const SolveReport& report) const = 0;
+
+  // Posterior standard deviations at batch.parameters, in the parameters' units: [parameter][stride].
+  // Precondition: hasDeviations().
+  virtual void deviations(const PixelBatch& batch, float* deviations) const = 0;
+  virtual bool hasDeviations() const = 0;
+
+  // Measured minus modelled at batch.parameters: [channel][stride].
+  void residuals(const PixelBatch& batch, float* residuals) const;
+
   // What the interface calls its work, e.g. "refined fit".
   virtual const char* stage() const = 0;
-  // Wavelengths at which the model is evaluated per iteration; 0 for a search.
-  virtual int nodeCount() const { return 0; }
-  virtual bool hasDeviations() const { return false; }
+  // Wavelengths at which the model is evaluated for the channels.
+  int nodeCount() const { return static_cast<int>(channels_->nodes().samples.size()); }
+  int channelCount() const { return channels_->rowCount(); }
+
+ protected:
+  // channels: the rows of the rig.
+  explicit PixelSolver(std::shared_ptr<const ResponseModel> channels)
+      : channels_(std::move(channels)) {}
+  const ResponseModel& channelModel() const { return *channels_; }
+
+ private:
+  std::shared_ptr<const ResponseModel> channels_;
 };
 
 }  // namespace cutis

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/skin/pixel_state.h"
@@ -14,16 +16,14 @@ constexpr std::size_t kGroup = 64;
 
 class SearchSolver : public PixelSolver {
  public:
-  SearchSolver(std::shared_ptr<const TableSearch> search, std::shared_ptr<const SkinModel> model,
-                                                        const Rig& rig)
-      : search_(std::move(search)),
-        model_(std::move(model)),
-        rows_(responseRows(rig)) {}
+  SearchSolver(std::shared_ptr<const TableSearch> search,
+               std::shared_ptr<const ResponseModel> channels)
+      : PixelSolver(std::move(channels)), search_(std::move(search)) {}
 
-  void solve(const SolveBatch& batch) const override {
+  void solve(const PixelBatch& batch, const SolveReport& report) const override {
     std::vector<SearchFeatures> queries;
     std::vector<std::size_t> entries;
-    std::vector<double> channels(static_cast<std::size_t>(rows_.rows()));
+    std::vector<double> channels(static_cast<std::size_t>(channelCount()));
     for (std::size_t begin = 0; begin < batch.count; begin += kGroup) {
       const std::size_t end = std::min(begin + kGroup, batch.count);
       queries.clear();
@@ -35,9 +35,21 @@ class SearchSolver : public PixelSolver {
       }
       entries.resize(queries.size());
       find(queries, entries);
-      for (std::size_t i = begin; i < end; ++i) write(batch, i, entries[i - begin]);
+      for (std::size_t i = begin; i < end; ++i) {
+        const ParameterVector parameters = search_->table().parameters(entries[i - begin]);
+        for (std::size_t k = 0; k < kParameterCount; ++k) {
+          batch.parameters[k * batch.stride + i] =
+              static_cast<float>(parameters[static_cast<Eigen::Index>(k)]);
+        }
+        report.states[i] = static_cast<std::uint8_t>(PixelState::solved);
+        report.iterations[i] = 0;
+      }
     }
   }
+
+  // A table knows the nearest entry and not how far the next one would do as well.
+  bool hasDeviations() const override { return false; }
+  void deviations(const PixelBatch&, float*) const override {}
 
  protected:
   virtual void find(std::span<const SearchFeatures> queries,
@@ -45,25 +57,7 @@ class SearchSolver : public PixelSolver {
   const TableSearch& search() const { return *search_; }
 
  private:
-  void write(const SolveBatch& batch, std::size_t i, std::size_t entry) const {
-    const ParameterVector parameters = search_->table().parameters(entry);
-    for (int k = 0; k < kParameterCount; ++k) {
-      batch.parameters[static_cast<std::size_t>(k) * batch.stride + i] =
-          static_cast<float>(parameters[k]);
-    }
-    batch.states[i] = static_cast<std::uint8_t>(PixelState::solved);
-    batch.iterations[i] = 0;
-    if (batch.residuals == nullptr) return;
-    const Eigen::VectorXd modelled = rows_.matrix() * model_->reflectance(parameters).matrix();
-    for (Eigen::Index k = 0; k < modelled.size(); ++k) {
-      const std::size_t at = static_cast<std::size_t>(k) * batch.stride + i;
-      batch.residuals[at] = static_cast<float>(double{batch.channels[at]} - modelled[k]);
-    }
-  }
-
   std::shared_ptr<const TableSearch> search_;
-  std::shared_ptr<const SkinModel> model_;
-  SpectrumRows rows_;
 };
 
 class FullSearchSolver final : public SearchSolver {
@@ -81,9 +75,8 @@ class FullSearchSolver final : public SearchSolver {
 class ThreeStageSolver final : public SearchSolver {
  public:
   ThreeStageSolver(std::shared_ptr<const TableSearch> table, int caroteneSample,
-                   std::shared_ptr<const SkinModel> model,
-                                                        const Rig& rig)
-      : SearchSolver(std::move(table), std::move(model), rig), caroteneSample_(caroteneSample) {}
+                   std::shared_ptr<const ResponseModel> channels)
+      : SearchSolver(std::move(table), std::move(channels)), caroteneSample_(caroteneSample) {}
   const char* stage() const override { return "three-stage search"; }
 
  protected:
@@ -100,17 +93,16 @@ class ThreeStageSolver final : public SearchSolver {
 
 }  // namespace
 
-std::unique_ptr<const PixelSolver> makeFullSearchSolver(std::shared_ptr<const TableSearch> search,
-                                                        std::shared_ptr<const SkinModel> model,
-                                                        const Rig& rig) {
-  return std::make_unique<FullSearchSolver>(std::move(search), std::move(model), rig);
+std::unique_ptr<const PixelSolver> makeFullSearchSolver(
+    std::shared_ptr<const TableSearch> search, std::shared_ptr<const ResponseModel> channels) {
+  return std::make_unique<FullSearchSolver>(std::move(search), std::move(channels));
 }
 
-std::unique_ptr<const PixelSolver> makeThreeStageSolver(std::shared_ptr<const TableSearch> search,
-                                                        int caroteneSample,
-                                                        std::shared_ptr<const SkinModel> model,
-                                                        const Rig& rig) {
-  return std::make_unique<ThreeStageSolver>(std::move(search), caroteneSample, std::move(model), rig);
+std::unique_ptr<const PixelSolver> makeThreeStageSolver(
+    std::shared_ptr<const TableSearch> search, int caroteneSample,
+    std::shared_ptr<const ResponseModel> channels) {
+  return std::make_unique<ThreeStageSolver>(std::move(search), caroteneSample,
+                                            std::move(channels));
 }
 
 }  // namespace cutis

@@ -9,13 +9,13 @@
 
 namespace cutis {
 
-// Residuals are those of the table's entry, in the search's own precision.
-std::unique_ptr<const PixelSolver> makeFullSearchSolver(std::shared_ptr<const TableSearch> search,
-                                                        std::shared_ptr<const SkinModel> model,
-                                                        const Rig& rig);
-std::unique_ptr<const PixelSolver> makeThreeStageSolver(std::shared_ptr<const TableSearch> search,
-                                                        int caroteneSample,
-                                                        std::shared_ptr<const SkinModel> model,
-                                                        const Rig& rig);
+// channels: the rows of the rig the search was made for.
+std::unique_ptr<const PixelSolver> makeFullSearchSolver(
+    std::shared_ptr<const TableSearch> search, std::shared_ptr<const ResponseModel> channels);
+
+// caroteneSample: what the first stage fixes, see TableSearch::mostFrequentCarotene().
+std::unique_ptr<const PixelSolver> makeThreeStageSolver(
+    std::shared_ptr<const TableSearch> search, int caroteneSample,
+    std::shared_ptr<const ResponseModel> channels);
 
 }  // namespace cutis

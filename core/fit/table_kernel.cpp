@@ -25,7 +25,7 @@ void Dermis(const TableArguments& arguments) {
       const V extinction = hn::Add(absorption, scattering);
       const V path = hn::Div(hn::Set(d, 1.0f), extinction);
       const HalfSpaceVectors<V> half =
-          HalfSpaceOf(d, MediumOf(d, absorption, scattering, extinction, path));
+          HalfSpaceOf(d, arguments.layers, MediumOf(d, absorption, scattering, extinction, path));
       hn::StoreU(half.reflectance, d,
                  arguments.dermalReflectance + n * arguments.dermalStride + i);
     }

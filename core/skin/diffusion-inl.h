@@ -75,6 +75,37 @@ HWY_INLINE V PositiveAbsorption(D d, V absorption) {
   return hn::Max(absorption, hn::Set(d, hn::TFromD<D>(1e-6)));
 }
 
+// Polynomial with coefficients from the constant upwards.
+template <class D, std::size_t kTerms, class V = hn::Vec<D>>
+HWY_INLINE V PolynomialOf(D d, const hn::TFromD<D> (&coefficients)[kTerms], V x) {
+  V sum = hn::Set(d, coefficients[kTerms - 1]);
+  for (std::size_t k = kTerms - 1; k-- > 0;) sum = hn::MulAdd(sum, x, hn::Set(d, coefficients[k]));
+  return sum;
+}
+
+// g = e^(−s/3)
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V InnerDecay(D d, const LayerConstants<hn::TFromD<D>>& layers, V s) {
+  if constexpr (sizeof(hn::TFromD<D>) == 4) {
+    return PolynomialOf(d, layers.innerDecay, s);
+  } else {
+    return ExpOfNegative(d, hn::Mul(s, hn::Set(d, hn::TFromD<D>(-1.0 / 3.0))));
+  }
+}
+
+// q = e^(−s · 4/3 A)
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V AirDecay(D d, const LayerConstants<hn::TFromD<D>>& layers, V s) {
+  if constexpr (sizeof(hn::TFromD<D>) == 4) {
+    const V eighth = PolynomialOf(d, layers.airDecay, s);
+    const V quarter = hn::Mul(eighth, eighth);
+    const V half = hn::Mul(quarter, quarter);
+    return hn::Mul(half, half);
+  } else {
+    return ExpOfNegative(d, hn::Mul(s, hn::Set(d, -layers.airGap)));
+  }
+}
+
 template <class V>
 struct HalfSpaceVectors {
   V reflectance;
@@ -82,9 +113,9 @@ struct HalfSpaceVectors {
 };
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE HalfSpaceVectors<V> HalfSpaceOf(D d, const MediumVectors<V>& medium) {
-  const V third = hn::Set(d, hn::TFromD<D>(-1.0 / 3.0));
-  const V g = ExpOfNegative(d, hn::Mul(medium.argument, third));
+HWY_INLINE HalfSpaceVectors<V> HalfSpaceOf(D d, const LayerConstants<hn::TFromD<D>>& layers,
+                                            const MediumVectors<V>& medium) {
+  const V g = InnerDecay(d, layers, medium.argument);
   const V g2 = hn::Mul(g, g);
   const V p = hn::Mul(g2, g);
   const V pr = hn::Mul(p, hn::Mul(g2, g2));
@@ -113,11 +144,11 @@ HWY_INLINE SlabVectors<V> SlabOf(D d, const LayerConstants<hn::TFromD<D>>& layer
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1));
   const V s = medium.argument;
-  const V g = ExpOfNegative(d, hn::Mul(s, hn::Set(d, T(-1.0 / 3.0))));
+  const V g = InnerDecay(d, layers, s);
   const V t = ExpOfNegative(d, hn::Mul(medium.transport, hn::Set(d, -layers.thicknessMm)));
   const V g2 = hn::Mul(g, g);
   SlabVectors<V> slab;
-  slab.q = ExpOfNegative(d, hn::Mul(s, hn::Set(d, -layers.airGap)));
+  slab.q = AirDecay(d, layers, s);
   slab.p = hn::Mul(g2, g);
   slab.r = hn::Mul(g2, g2);
   slab.p2 = hn::Mul(slab.p, slab.p);
@@ -157,7 +188,7 @@ HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::
   const MediumVectors<V> dermis =
       MediumOf(d, sigmaD, scatteringD, extinctionD, hn::Mul(inverseBoth, extinctionE));
 
-  const HalfSpaceVectors<V> half = HalfSpaceOf(d, dermis);
+  const HalfSpaceVectors<V> half = HalfSpaceOf(d, layers, dermis);
   const SlabVectors<V> slab = SlabOf(d, layers, epidermis);
   const V below = half.reflectance;
   const V v = hn::NegMulAdd(hn::Mul(slab.back, slab.down), below, slab.w);

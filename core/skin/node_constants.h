@@ -19,11 +19,14 @@ struct NodeConstants {
   T dermalBlood;
 };
 
-// Constants all nodes share.
+// Constants all nodes share. s = σ_tr ℓ lies in [0, √3].
 template <typename T>
 struct LayerConstants {
   T thicknessMm;  // of the epidermis
   T airGap;       // 4/3 A of the boundary to air
+  // Polynomials in s, for single precision: e^(−s/3) and e^(−airGap · s/8).
+  T innerDecay[6];
+  T airDecay[7];
 };
 
 }  // namespace cutis

@@ -1,7 +1,11 @@
 #include "core/skin/node_model.h"
 
+#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 
+#include "core/skin/decay_polynomial.h"
 #include "core/skin/diffusion.h"
 
 namespace cutis {
@@ -15,12 +19,26 @@ NodeConstants<float> single(const NodeConstants<double>& node) {
           static_cast<float>(node.dermalBlood)};
 }
 
+template <typename T>
+LayerConstants<T> layerConstants(const Profile& profile) {
+  const double largest = std::sqrt(3.0);
+  LayerConstants<T> layers;
+  layers.thicknessMm = static_cast<T>(profile.epidermalThicknessMm);
+  const double airGap = 4.0 / 3.0 * boundaryFactor(profile.refractiveIndex);
+  layers.airGap = static_cast<T>(airGap);
+  const auto inner = decayPolynomial<std::size(decltype(layers.innerDecay){})>(1.0 / 3.0, largest);
+  const auto air = decayPolynomial<std::size(decltype(layers.airDecay){})>(airGap / 8.0, largest);
+  for (std::size_t k = 0; k < inner.size(); ++k) layers.innerDecay[k] = static_cast<T>(inner[k]);
+  for (std::size_t k = 0; k < air.size(); ++k) layers.airDecay[k] = static_cast<T>(air[k]);
+  return layers;
+}
+
 }  // namespace
 
 NodeModel::NodeModel(const SkinModel& model, std::vector<int> samples)
     : samples_(std::move(samples)),
-      layers_{model.profile().epidermalThicknessMm,
-              4.0 / 3.0 * boundaryFactor(model.profile().refractiveIndex)} {
+      singleLayers_(layerConstants<float>(model.profile())),
+      doubleLayers_(layerConstants<double>(model.profile())) {
   const Spectrum scattering = epidermalScattering(model.profile());
   const EpidermalAbsorption& epidermis = model.epidermis();
   const DermalAbsorption& dermis = model.dermis();
@@ -41,6 +59,16 @@ const std::vector<NodeConstants<float>>& NodeModel::nodes<float>() const {
 template <>
 const std::vector<NodeConstants<double>>& NodeModel::nodes<double>() const {
   return doubleNodes_;
+}
+
+template <>
+const LayerConstants<float>& NodeModel::layers<float>() const {
+  return singleLayers_;
+}
+
+template <>
+const LayerConstants<double>& NodeModel::layers<double>() const {
+  return doubleLayers_;
 }
 
 }  // namespace cutis

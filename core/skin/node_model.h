@@ -25,15 +25,14 @@ class NodeModel {
   template <typename T>
   const std::vector<NodeConstants<T>>& nodes() const;
   template <typename T>
-  LayerConstants<T> layers() const {
-    return {static_cast<T>(layers_.thicknessMm), static_cast<T>(layers_.airGap)};
-  }
+  const LayerConstants<T>& layers() const;
 
  private:
   std::vector<int> samples_;
   std::vector<NodeConstants<float>> singleNodes_;
   std::vector<NodeConstants<double>> doubleNodes_;
-  LayerConstants<double> layers_;
+  LayerConstants<float> singleLayers_;
+  LayerConstants<double> doubleLayers_;
 };
 
 }  // namespace cutis

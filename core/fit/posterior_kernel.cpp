@@ -1,0 +1,64 @@
+#include "core/fit/posterior_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/fit/posterior_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/fit/linearise-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cutis {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch) {
+  const hn::ScalableTag<float> d;
+  using V = hn::Vec<decltype(d)>;
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t i = 0; i < batch.count; i += lanes) {
+    const std::size_t live = batch.count - i < lanes ? batch.count - i : lanes;
+    const auto inside = hn::FirstN(d, live);
+    V channels[kMaximumFitChannels];
+    V precision[kMaximumFitChannels];
+    for (std::size_t k = 0; k < problem.channelCount; ++k) {
+      channels[k] = hn::MaskedLoad(inside, d, batch.channels + k * batch.stride + i);
+      precision[k] = ChannelPrecision(d, problem, channels[k]);
+    }
+    V point[kParameterCount];
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      point[k] = hn::MaskedLoad(inside, d, batch.coordinates + k * batch.stride + i);
+    }
+    NormalEquations<V> normal;
+    Linearise(d, problem, channels, precision, point, normal);
+    for (int k = 0; k < kParameterCount; ++k) {
+      if (problem.isFixed[k]) normal.Hold(d, k, inside);
+    }
+    for (int k = 0; k < kParameterCount; ++k) {
+      for (int j = 0; j < kParameterCount; ++j) {
+        normal.downhill[j] = hn::Set(d, j == k ? 1.0f : 0.0f);
+      }
+      V column[kParameterCount];
+      normal.Solve(d, column);
+      const V deviation = problem.isFixed[k] ? hn::Zero(d) : hn::Sqrt(column[k]);
+      hn::BlendedStore(deviation, inside, d,
+                       batch.deviations + static_cast<std::size_t>(k) * batch.stride + i);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cutis
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cutis {
+
+HWY_EXPORT(Posterior);
+
+void runPosteriorKernel(const RefinedProblem<float>& problem, const PosteriorBatch& batch) {
+  HWY_DYNAMIC_DISPATCH(Posterior)(problem, batch);
+}
+
+}  // namespace cutis
+#endif  // HWY_ONCE

@@ -1,0 +1,82 @@
+#pragma once
+
+// Vectorised Gauss–Newton for many pixels at once: the inner part of core/fit/refined_solver.cpp.
+// Plain data, see core/skin/node_constants.h.
+//
+// One pixel a lane. A round evaluates the model and its derivatives at the trial point, accepts it or
+// shortens the step, and solves the 5 × 5 normal equations for the next step. A lane stops when the
+// step it is about to take would lower the cost by less than `tolerance`; lanes that need longer than
+// their neighbours are put aside and share vectors of their own, so that finished ones cost nothing.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/skin/node_constants.h"
+#include "core/skin/parameter.h"
+
+namespace cutis {
+
+inline constexpr std::size_t kMaximumFitChannels = 32;
+inline constexpr std::size_t kMaximumFitNodes = 48;
+// Polynomial start: components of the log channels, and cubic terms in them.
+inline constexpr int kStartComponents = 4;
+inline constexpr int kStartTerms = 35;
+
+// Coefficients of one channel at one node: the weight, and the weight times the absorption of each
+// chromophore, from which the derivatives are assembled.
+template <typename T>
+struct FitWeight {
+  T value;
+  T pheomelanin;
+  T melaninContrast;
+  T epidermalBlood;
+  T carotene;
+  T dermalBlood;
+};
+
+// Where a pixel begins, from its own channels.
+struct StartPolynomial {
+  // component = Σ_k projection[component][k] · ln(channel k) + offset[component]
+  float projection[kStartComponents][kMaximumFitChannels];
+  float offset[kStartComponents];
+  // coordinate = Σ_t coefficients[coordinate][t] · term t; terms in the order of startTerms().
+  float coefficients[kParameterCount][kStartTerms];
+};
+
+template <typename T>
+struct RefinedProblem {
+  const NodeConstants<T>* nodes;
+  std::size_t nodeCount;
+  LayerConstants<T> layers;
+  const FitWeight<T>* weights;  // [channel][node]
+  std::size_t channelCount;
+  // Of a channel's variance: readVariance + proportionalVariance · channel².
+  T readVariance;
+  T proportionalVariance;
+  // Coordinates: the parameter, or its natural logarithm.
+  bool isLog[kParameterCount];
+  bool isFixed[kParameterCount];
+  T low[kParameterCount];
+  T high[kParameterCount];
+  T priorMean[kParameterCount];       // of a fixed parameter: where it is fixed
+  T priorPrecision[kParameterCount];  // 1 / s²
+  T tolerance;                        // in units of one standard deviation²
+  int maximumRounds;
+  const StartPolynomial* start;  // null: begin where the batch says
+};
+
+template <typename T>
+struct RefinedBatch {
+  std::size_t count;
+  std::size_t stride;
+  const float* channels;      // in: [channel][stride]
+  T* coordinates;             // out, and in without a start polynomial: [coordinate][stride]
+  std::uint8_t* converged;    // out
+  std::uint16_t* rounds;      // added to
+};
+
+// T is float or double.
+template <typename T>
+void runRefinedKernel(const RefinedProblem<T>& problem, const RefinedBatch<T>& batch);
+
+}  // namespace cutis

@@ -1,0 +1,202 @@
+#include "core/fit/refined_solver.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "core/fit/posterior_kernel.h"
+#include "core/fit/refined_kernel.h"
+#include "core/fit/start_polynomial.h"
+#include "core/skin/model_nodes.h"
+#include "core/skin/node_model.h"
+#include "core/skin/pixel_state.h"
+
+namespace cutis {
+namespace {
+
+// Where another step would move a pixel by less than this many posterior deviations, squared.
+constexpr double kTolerance = 0.02;
+constexpr double kExactTolerance = 1e-9;
+constexpr int kMaximumRounds = 40;
+constexpr double kNodeTolerance = 1e-5;
+constexpr double kExactNodeTolerance = 1e-6;
+// Standing in for "none" where no noise is asked for.
+constexpr double kExactNoise = 1e-6;
+// The log scale ends here, as a share of the parameter's range: far below what can be measured.
+constexpr double kSmallestShare = 1e-7;
+
+// A problem with the arrays it points to, for one precision.
+template <typename T>
+class ProblemData {
+ public:
+  ProblemData(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
+              const NoiseModel& noise, const FitOptions& options)
+      : model_(model, nodes.samples) {
+    for (Eigen::Index k = 0; k < nodes.weights.rows(); ++k) {
+      for (Eigen::Index n = 0; n < nodes.weights.cols(); ++n) {
+        weights_.push_back(fitWeight(nodes.weights(k, n),
+                                     model_.nodes<double>()[static_cast<std::size_t>(n)]));
+      }
+    }
+    problem_.nodes = model_.template nodes<T>().data();
+    problem_.nodeCount = model_.template nodes<T>().size();
+    problem_.layers = model_.template layers<T>();
+    problem_.weights = weights_.data();
+    problem_.channelCount = static_cast<std::size_t>(nodes.weights.rows());
+    problem_.readVariance = static_cast<T>(noise.read * noise.read);
+    problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
+    problem_.maximumRounds = kMaximumRounds;
+    setCoordinates(model.profile().axes, prior, options);
+  }
+  ProblemData(const ProblemData&) = delete;
+  ProblemData& operator=(const ProblemData&) = delete;
+
+  RefinedProblem<T>& problem() { return problem_; }
+  const RefinedProblem<T>& problem() const { return problem_; }
+
+ private:
+  static FitWeight<T> fitWeight(double weight, const NodeConstants<double>& node) {
+    return {static_cast<T>(weight),
+            static_cast<T>(weight * node.pheomelanin),
+            static_cast<T>(weight * node.melaninContrast),
+            static_cast<T>(weight * node.epidermalBlood),
+            static_cast<T>(weight * node.carotene),
+            static_cast<T>(weight * node.dermalBlood)};
+  }
+
+  void setCoordinates(const ParameterAxes& axes, const Prior& prior, const FitOptions& options) {
+    for (int i = 0; i < kParameterCount; ++i) {
+      const auto index = static_cast<std::size_t>(i);
+      const double maximum = axes[index].maximum;
+      const auto& fixed = options.fixed[index];
+      // A fixed parameter may be 0, where there is no logarithm.
+      const bool isLog = prior.isLog(i) && !fixed;
+      const auto coordinate = [&](double value) {
+        return static_cast<T>(isLog ? std::log(std::max(value, kSmallestShare * maximum)) : value);
+      };
+      problem_.isLog[i] = isLog;
+      problem_.isFixed[i] = fixed.has_value();
+      problem_.low[i] = coordinate(0.0);
+      problem_.high[i] = coordinate(maximum);
+      problem_.priorMean[i] = coordinate(fixed.value_or(prior.mean[i]));
+      problem_.priorPrecision[i] = static_cast<T>(1.0 / (prior.deviation[i] * prior.deviation[i]));
+    }
+  }
+
+  NodeModel model_;
+  std::vector<FitWeight<T>> weights_;
+  RefinedProblem<T> problem_ = {};
+};
+
+NoiseModel effectiveNoise(const NoiseModel& noise) {
+  return noise.isExact() ? NoiseModel{kExactNoise, 0.0} : noise;
+}
+
+class RefinedSolver final : public PixelSolver {
+ public:
+  RefinedSolver(std::shared_ptr<const SkinModel> model, const Rig& rig, const FitOptions& options,
+                bool exact)
+      : PixelSolver(std::make_shared<ResponseModel>(
+            *model, responseRows(rig),
+            NodeOptions{exact ? kExactNodeTolerance : kNodeTolerance, int{kMaximumFitNodes}})),
+        model_(std::move(model)),
+        prior_(options.prior.value_or(model_->profile().prior)),
+        noise_(effectiveNoise(options.noise.value_or(rig.noise))),
+        start_(trainStartPolynomial(*model_, channelModel().nodes(), prior_, noise_,
+                                    options.fixed)),
+        single_(*model_, channelModel().nodes(), prior_, noise_, options) {
+    single_.problem().start = &start_;
+    single_.problem().tolerance = static_cast<float>(kTolerance);
+    if (exact) {
+      double_ = std::make_unique<ProblemData<double>>(*model_, channelModel().nodes(), prior_,
+                                                      noise_, options);
+      double_->problem().tolerance = kExactTolerance;
+    }
+  }
+
+  void solve(const PixelBatch& batch, const SolveReport& report) const override {
+    std::vector<std::uint8_t> converged(batch.count);
+    std::fill_n(report.iterations, batch.count, std::uint16_t{0});
+    const RefinedBatch<float> refined = {batch.count,      batch.stride,     batch.channels,
+                                         batch.parameters, converged.data(), report.iterations};
+    runRefinedKernel(single_.problem(), refined);
+    if (double_) finishExactly(batch, report, converged);
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      report.states[i] = static_cast<std::uint8_t>(converged[i] != 0 ? PixelState::solved
+                                                                     : PixelState::noConvergence);
+    }
+    toParameters(batch);
+  }
+
+  bool hasDeviations() const override { return true; }
+
+  void deviations(const PixelBatch& batch, float* deviations) const override {
+    std::vector<float> coordinates(kParameterCount * batch.stride);
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      const float* from = batch.parameters + k * batch.stride;
+      float* to = coordinates.data() + k * batch.stride;
+      std::copy_n(from, batch.count, to);
+      if (!single_.problem().isLog[k]) continue;
+      for (std::size_t i = 0; i < batch.count; ++i) to[i] = std::log(to[i]);
+    }
+    runPosteriorKernel(single_.problem(), {batch.count, batch.stride, batch.channels,
+                                           coordinates.data(), deviations});
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      if (!single_.problem().isLog[k]) continue;
+      for (std::size_t i = 0; i < batch.count; ++i) {
+        deviations[k * batch.stride + i] *= batch.parameters[k * batch.stride + i];
+      }
+    }
+  }
+
+  const char* stage() const override { return "refined fit"; }
+
+ private:
+  void finishExactly(const PixelBatch& batch, const SolveReport& report,
+                     std::vector<std::uint8_t>& converged) const {
+    std::vector<double> coordinates(kParameterCount * batch.stride);
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      std::copy_n(batch.parameters + k * batch.stride, batch.count,
+                  coordinates.data() + k * batch.stride);
+    }
+    const RefinedBatch<double> refined = {batch.count,        batch.stride,
+                                          batch.channels,     coordinates.data(),
+                                          converged.data(),   report.iterations};
+    runRefinedKernel(double_->problem(), refined);
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      for (std::size_t i = 0; i < batch.count; ++i) {
+        batch.parameters[k * batch.stride + i] =
+            static_cast<float>(coordinates[k * batch.stride + i]);
+      }
+    }
+  }
+
+  // From coordinates, in place.
+  void toParameters(const PixelBatch& batch) const {
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      if (!single_.problem().isLog[k]) continue;
+      float* row = batch.parameters + k * batch.stride;
+      for (std::size_t i = 0; i < batch.count; ++i) row[i] = std::exp(row[i]);
+    }
+  }
+
+  std::shared_ptr<const SkinModel> model_;
+  Prior prior_;
+  NoiseModel noise_;
+  StartPolynomial start_;
+  ProblemData<float> single_;
+  std::unique_ptr<ProblemData<double>> double_;
+};
+
+}  // namespace
+
+std::unique_ptr<const PixelSolver> makeRefinedSolver(std::shared_ptr<const SkinModel> model,
+                                                     const Rig& rig, const FitOptions& options) {
+  const bool exact = options.noise.value_or(rig.noise).isExact();
+  return std::make_unique<RefinedSolver>(std::move(model), rig, options, exact);
+}
+
+}  // namespace cutis

@@ -1,0 +1,163 @@
+#include "core/fit/start_polynomial.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/base/random.h"
+#include "core/skin/reflectance_batch.h"
+
+namespace cutis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index kPixels = 12000;
+constexpr std::uint64_t kSeed = 31;
+constexpr double kSmallestChannel = 1e-4;
+// A component is limited to this many of its standard deviations (start_polynomial-inl.h).
+constexpr double kLimit = 4.0;
+
+// Drawn from the prior, as far as it lies in the profile's box.
+std::vector<ParameterVector> drawFromPrior(
+    const ParameterAxes& axes, const Prior& prior,
+    const std::array<std::optional<double>, kParameterCount>& fixed) {
+  Random random(kSeed);
+  std::vector<ParameterVector> pixels(static_cast<std::size_t>(kPixels));
+  for (ParameterVector& p : pixels) {
+    for (int i = 0; i < kParameterCount; ++i) {
+      const auto index = static_cast<std::size_t>(i);
+      if (fixed[index]) {
+        p[i] = *fixed[index];
+        continue;
+      }
+      const double maximum = axes[index].maximum;
+      constexpr int kTries = 32;
+      for (int attempt = 0; attempt < kTries; ++attempt) {
+        const double z = prior.deviation[i] * random.normal();
+        p[i] = prior.isLog(i) ? prior.mean[i] * std::exp(z) : prior.mean[i] + z;
+        if (p[i] >= 0.0 && p[i] <= maximum) break;
+      }
+      p[i] = std::clamp(p[i], 0.0, maximum);
+    }
+  }
+  return pixels;
+}
+
+// Logarithms of noisy channels, one pixel a row.
+MatrixXd simulateLogChannels(const SkinModel& model, const SpectralNodes& nodes,
+                             const NoiseModel& noise, const std::vector<ParameterVector>& pixels) {
+  const auto count = static_cast<std::size_t>(kPixels);
+  const NodeModel nodeModel(model, nodes.samples);
+  std::array<std::vector<double>, kParameterCount> columns;
+  ParameterBatch<double> batch;
+  batch.count = count;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (const ParameterVector& p : pixels) columns[k].push_back(p[static_cast<Index>(k)]);
+    batch.values[k] = columns[k].data();
+  }
+  MatrixXd reflectance(kPixels, static_cast<Index>(nodes.samples.size()));
+  reflectanceBatch<double>(nodeModel, batch, reflectance.data());
+  MatrixXd channels = reflectance * nodes.weights.transpose();
+  Random random(kSeed, 1);
+  for (Index k = 0; k < channels.cols(); ++k) {
+    for (Index i = 0; i < kPixels; ++i) {
+      const double y = channels(i, k);
+      const double deviation = std::hypot(noise.read, noise.proportional * y);
+      channels(i, k) = std::log(std::max(y + deviation * random.normal(), kSmallestChannel));
+    }
+  }
+  return channels;
+}
+
+// Products of up to three components, in the order in which the kernel adds them.
+VectorXd startTerms(const VectorXd& component) {
+  VectorXd terms(kStartTerms);
+  Index t = 0;
+  terms[t++] = 1.0;
+  for (Index a = 0; a < kStartComponents; ++a) {
+    terms[t++] = component[a];
+    for (Index b = a; b < kStartComponents; ++b) {
+      terms[t++] = component[a] * component[b];
+      for (Index c = b; c < kStartComponents; ++c) {
+        terms[t++] = component[a] * component[b] * component[c];
+      }
+    }
+  }
+  return terms;
+}
+
+// Leading principal components, scaled to unit variance. Rows beyond the number of channels, and
+// directions without variance, stay zero.
+void fitProjection(const MatrixXd& logChannels, StartPolynomial& polynomial) {
+  const Eigen::RowVectorXd mean = logChannels.colwise().mean();
+  const MatrixXd centred = logChannels.rowwise() - mean;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(centred.transpose() * centred /
+                                                      static_cast<double>(kPixels));
+  const Index channelCount = logChannels.cols();
+  for (Index c = 0; c < std::min<Index>(kStartComponents, channelCount); ++c) {
+    const Index column = channelCount - 1 - c;  // eigenvalues increase
+    const double variance = eigen.eigenvalues()[column];
+    if (variance < 1e-12) continue;
+    const VectorXd direction = eigen.eigenvectors().col(column) / std::sqrt(variance);
+    for (Index k = 0; k < channelCount; ++k) {
+      polynomial.projection[c][k] = static_cast<float>(direction[k]);
+    }
+    polynomial.offset[c] = static_cast<float>(-mean.dot(direction));
+  }
+}
+
+VectorXd componentsOf(const StartPolynomial& polynomial, const Eigen::RowVectorXd& logChannels) {
+  VectorXd component(kStartComponents);
+  for (Index c = 0; c < kStartComponents; ++c) {
+    component[c] = double{polynomial.offset[c]};
+    for (Index k = 0; k < logChannels.size(); ++k) {
+      component[c] += double{polynomial.projection[c][k]} * logChannels[k];
+    }
+    component[c] = std::clamp(component[c], -kLimit, kLimit);
+  }
+  return component;
+}
+
+double coordinateOf(const Prior& prior, const ParameterAxes& axes, int i, double value) {
+  if (!prior.isLog(i)) return value;
+  return std::log(std::max(value, 1e-7 * axes[static_cast<std::size_t>(i)].maximum));
+}
+
+}  // namespace
+
+StartPolynomial trainStartPolynomial(
+    const SkinModel& model, const SpectralNodes& nodes, const Prior& prior, const NoiseModel& noise,
+    const std::array<std::optional<double>, kParameterCount>& fixed) {
+  const ParameterAxes& axes = model.profile().axes;
+  const std::vector<ParameterVector> pixels = drawFromPrior(axes, prior, fixed);
+  const MatrixXd logChannels = simulateLogChannels(model, nodes, noise, pixels);
+  StartPolynomial polynomial = {};
+  fitProjection(logChannels, polynomial);
+
+  MatrixXd gram = MatrixXd::Zero(kStartTerms, kStartTerms);
+  MatrixXd cross = MatrixXd::Zero(kStartTerms, kParameterCount);
+  for (Index i = 0; i < kPixels; ++i) {
+    const VectorXd terms = startTerms(componentsOf(polynomial, logChannels.row(i)));
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(terms);
+    for (int k = 0; k < kParameterCount; ++k) {
+      const double x = coordinateOf(prior, axes, k, pixels[static_cast<std::size_t>(i)][k]);
+      cross.col(k) += x * terms;
+    }
+  }
+  // A little ridge: with three channels one component is empty and its terms are zero.
+  gram.diagonal().array() += 1e-6 * static_cast<double>(kPixels);
+  const MatrixXd solution = gram.selfadjointView<Eigen::Lower>().ldlt().solve(cross);
+  for (int k = 0; k < kParameterCount; ++k) {
+    for (Index t = 0; t < kStartTerms; ++t) {
+      polynomial.coefficients[k][t] = static_cast<float>(solution(t, k));
+    }
+  }
+  return polynomial;
+}
+
+}  // namespace cutis
