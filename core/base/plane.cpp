@@ -73,6 +73,10 @@ void encode(PixelFormat format, std::span<const float> from, std::byte* to) {
   }
 }
 
+Error outOfMemory() {
+  return resourceError("", "not enough memory for the picture; use a smaller one");
+}
+
 std::size_t offsetIn(const Rect& rect, int x, int y) {
   return static_cast<std::size_t>(y - rect.y0) * static_cast<std::size_t>(rect.width()) +
          static_cast<std::size_t>(x - rect.x0);
@@ -113,7 +117,7 @@ Rect Plane::tileRect(int index) const {
   return intersection({x0, y0, x0 + kTileSize, y0 + kTileSize}, bounds());
 }
 
-Status Plane::load(const Rect& rect, std::span<float> out) const {
+Status Plane::load(const Rect& rect, std::span<float> out) const try {
   assert(out.size() == rect.pixelCount());
   return forEachTile(
       *this, rect, [&](std::size_t index, const Rect& tileRect, const Rect& part) -> Status {
@@ -130,6 +134,9 @@ Status Plane::load(const Rect& rect, std::span<float> out) const {
         }
         return {};
       });
+} catch (const std::bad_alloc&) {
+  // A tile that comes back from disk needs memory.
+  return outOfMemory();
 }
 
 Status Plane::store(const Rect& rect, std::span<const float> in) try {
@@ -149,7 +156,7 @@ Status Plane::store(const Rect& rect, std::span<const float> in) try {
         return pixels_->replace(index, std::move(bytes));
       });
 } catch (const std::bad_alloc&) {
-  return resourceError("", "not enough memory for the picture; use a smaller one");
+  return outOfMemory();
 }
 
 }  // namespace cutis

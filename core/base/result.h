@@ -117,8 +117,15 @@ inline Error resourceError(std::string place, std::string message) {
   auto& name = name##_result.value()
 
 // CUTIS_CHECK(expression): the same for a Status.
-#define CUTIS_CHECK(...)                                        \
-  do {                                                          \
-    auto cutis_status = (__VA_ARGS__);                          \
-    if (!cutis_status) return cutis_status.failure();           \
+#define CUTIS_CHECK(...)                                             \
+  do {                                                               \
+    auto CUTIS_UNIQUE(cutis_status_) = (__VA_ARGS__);                \
+    if (!CUTIS_UNIQUE(cutis_status_)) {                              \
+      return CUTIS_UNIQUE(cutis_status_).failure();                  \
+    }                                                                \
   } while (false)
+
+// A name per line, so that a check may stand in a lambda inside another.
+#define CUTIS_UNIQUE(prefix) CUTIS_JOIN(prefix, __LINE__)
+#define CUTIS_JOIN(a, b) CUTIS_JOIN_AGAIN(a, b)
+#define CUTIS_JOIN_AGAIN(a, b) a##b

@@ -57,8 +57,14 @@ class PosixSpillFile final : public SpillFile {
 }  // namespace
 
 Result<std::unique_ptr<SpillFile>> SpillFile::create() {
-  std::error_code ignored;
-  const std::string folder = std::filesystem::temp_directory_path(ignored).string();
+  std::error_code error;
+  const std::string folder = std::filesystem::temp_directory_path(error).string();
+  if (error) {
+    const char* named = std::getenv("TMPDIR");
+    return resourceError(named != nullptr ? named : "/tmp",
+                         "there is no such folder for temporary files; create it or point TMPDIR "
+                         "elsewhere");
+  }
   std::string path = folder + "/cutis-XXXXXX";
   const int descriptor = ::mkostemp(path.data(), O_CLOEXEC);
   if (descriptor < 0) {

@@ -22,7 +22,9 @@ Result<std::vector<float>> weightsOf(const Edit& edit, const Rect& rect, int ste
   for (int y = rect.y0; y < rect.y1; y += step) {
     CUTIS_CHECK(edit.mask.load({rect.x0, y, rect.x1, y + 1}, row));
     for (std::size_t x = 0; x < row.size(); x += static_cast<std::size_t>(step)) {
-      weights.push_back(std::clamp(row[x], 0.0f, 1.0f) * static_cast<float>(edit.opacity));
+      // What is no number includes nothing.
+      const float included = row[x] > 0.0f ? std::min(row[x], 1.0f) : 0.0f;
+      weights.push_back(included * static_cast<float>(edit.opacity));
     }
   }
   return weights;

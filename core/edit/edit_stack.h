@@ -32,8 +32,8 @@ struct ParameterEdit {
 
 struct Edit {
   std::array<ParameterEdit, kParameterCount> parameters;
-  // 0 leaves the original, 1 the edited value, between blends. Empty: everywhere 1. Otherwise the
-  // size of the maps.
+  // 0 and NaN leave the original, 1 gives the edited value, between blends. Empty: everywhere 1.
+  // Otherwise the size of the maps.
   Plane mask;
   double opacity = 1.0;  // [0, 1]
   bool enabled = true;

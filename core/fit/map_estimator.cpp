@@ -24,7 +24,7 @@ MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
                            const EstimatorOptions& options)
     : model_(model), nodes_(std::move(nodes)), options_(options) {
   for (Index k = 0; k < nodes_.weights.rows(); ++k) {
-    alive_.push_back(nodes_.weights.row(k).cwiseAbs().maxCoeff() > 0.0);
+    alive_.push_back((nodes_.weights.row(k).array() != 0.0).any());
   }
   for (int i = 0; i < kParameterCount; ++i) {
     const double maximum = model_.profile().axes[static_cast<std::size_t>(i)].maximum;

@@ -16,6 +16,28 @@ namespace cutis {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// L D Lᵀ of the equations.
+template <class V>
+struct Factorisation {
+  static constexpr int kSize = kParameterCount;
+  V lower[kSize][kSize];  // below the diagonal
+  V inverse[kSize];       // 1 / D
+
+  template <class D>
+  HWY_INLINE void Solve(D, const V* right, V* solution) const {
+    for (int i = 0; i < kSize; ++i) {
+      V sum = right[i];
+      for (int k = 0; k < i; ++k) sum = hn::NegMulAdd(lower[i][k], solution[k], sum);
+      solution[i] = sum;
+    }
+    for (int i = kSize - 1; i >= 0; --i) {
+      V sum = hn::Mul(solution[i], inverse[i]);
+      for (int k = i + 1; k < kSize; ++k) sum = hn::NegMulAdd(lower[k][i], solution[k], sum);
+      solution[i] = sum;
+    }
+  }
+};
+
 template <class V>
 struct NormalEquations {
   static constexpr int kSize = kParameterCount;
@@ -44,14 +66,6 @@ struct NormalEquations {
     cost = hn::MulAdd(hn::Mul(residual, precision), residual, cost);
   }
 
-  template <class D>
-  HWY_INLINE void AddPrior(D, int i, V towardsMean, V precision) {
-    const V pull = hn::Mul(towardsMean, precision);
-    hessian[i][i] = hn::Add(hessian[i][i], precision);
-    downhill[i] = hn::Add(downhill[i], pull);
-    cost = hn::MulAdd(pull, towardsMean, cost);
-  }
-
   // Takes coordinate i out of the equations where `held`.
   template <class D, class M>
   HWY_INLINE void Hold(D d, int i, M held) {
@@ -61,41 +75,38 @@ struct NormalEquations {
     downhill[i] = hn::IfThenZeroElse(held, downhill[i]);
   }
 
-  // step = hessian⁻¹ · downhill by L D Lᵀ; the hessian is positive definite thanks to the prior.
+  // Prescribes the step of coordinate i where `held` and leaves the others to follow.
+  template <class D, class M>
+  HWY_INLINE void Prescribe(D d, int i, M held, V step) {
+    const V known = hn::IfThenElseZero(held, step);
+    for (int j = 0; j < kSize; ++j) {
+      if (j == i) continue;
+      const V coupling = j < i ? hessian[i][j] : hessian[j][i];
+      downhill[j] = hn::NegMulAdd(coupling, known, downhill[j]);
+    }
+    Hold(d, i, held);
+    downhill[i] = hn::IfThenElse(held, step, downhill[i]);
+  }
+
+  // The hessian is positive definite thanks to the prior; rounding may eat a pivot that the data
+  // hardly determine, so pivots are kept above a share of what they started from.
   template <class D>
-  HWY_INLINE void Solve(D d, V* step) const {
-    V lower[kSize][kSize];    // L
-    V scaled[kSize][kSize];   // L D
-    V inverse[kSize];         // 1 / D
+  HWY_INLINE void Factorise(D d, Factorisation<V>& factor) const {
+    using T = hn::TFromD<D>;
+    const V floor = hn::Set(d, sizeof(T) == 4 ? T(1e-6) : T(1e-14));
+    V scaled[kSize][kSize];  // L D
     for (int i = 0; i < kSize; ++i) {
       for (int j = 0; j < i; ++j) {
         V sum = hessian[i][j];
-        for (int k = 0; k < j; ++k) sum = hn::NegMulAdd(scaled[i][k], lower[j][k], sum);
+        for (int k = 0; k < j; ++k) sum = hn::NegMulAdd(scaled[i][k], factor.lower[j][k], sum);
         scaled[i][j] = sum;
-        lower[i][j] = hn::Mul(sum, inverse[j]);
+        factor.lower[i][j] = hn::Mul(sum, factor.inverse[j]);
       }
       V pivot = hessian[i][i];
-      for (int k = 0; k < i; ++k) pivot = hn::NegMulAdd(scaled[i][k], lower[i][k], pivot);
-      // Rounding may eat a pivot that the data hardly determine.
-      pivot = hn::Max(pivot, hn::Mul(hessian[i][i], hn::Set(d, Epsilon<hn::TFromD<D>>())));
-      inverse[i] = hn::Div(hn::Set(d, hn::TFromD<D>(1)), pivot);
+      for (int k = 0; k < i; ++k) pivot = hn::NegMulAdd(scaled[i][k], factor.lower[i][k], pivot);
+      pivot = hn::Max(pivot, hn::Mul(hessian[i][i], floor));
+      factor.inverse[i] = hn::Div(hn::Set(d, T(1)), pivot);
     }
-    for (int i = 0; i < kSize; ++i) {
-      V sum = downhill[i];
-      for (int k = 0; k < i; ++k) sum = hn::NegMulAdd(lower[i][k], step[k], sum);
-      step[i] = sum;
-    }
-    for (int i = kSize - 1; i >= 0; --i) {
-      V sum = hn::Mul(step[i], inverse[i]);
-      for (int k = i + 1; k < kSize; ++k) sum = hn::NegMulAdd(lower[k][i], step[k], sum);
-      step[i] = sum;
-    }
-  }
-
- private:
-  template <typename T>
-  static constexpr T Epsilon() {
-    return sizeof(T) == 4 ? static_cast<T>(1e-6) : static_cast<T>(1e-14);
   }
 };
 

@@ -29,17 +29,20 @@ void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       point[k] = hn::MaskedLoad(inside, d, batch.coordinates + k * batch.stride + i);
     }
+    V modelled[kMaximumFitChannels][kLinearColumns];
+    ModelWithDerivatives(d, problem, PointOf(d, problem, point), modelled);
     NormalEquations<V> normal;
-    Linearise(d, problem, channels, precision, point, normal);
+    BuildNormalEquations(d, problem, channels, precision, point, modelled, normal);
     for (int k = 0; k < kParameterCount; ++k) {
       if (problem.isFixed[k]) normal.Hold(d, k, inside);
     }
+    Factorisation<V> factor;
+    normal.Factorise(d, factor);
     for (int k = 0; k < kParameterCount; ++k) {
-      for (int j = 0; j < kParameterCount; ++j) {
-        normal.downhill[j] = hn::Set(d, j == k ? 1.0f : 0.0f);
-      }
+      V unit[kParameterCount];
+      for (int j = 0; j < kParameterCount; ++j) unit[j] = hn::Set(d, j == k ? 1.0f : 0.0f);
       V column[kParameterCount];
-      normal.Solve(d, column);
+      factor.Solve(d, unit, column);
       const V deviation = problem.isFixed[k] ? hn::Zero(d) : hn::Sqrt(column[k]);
       hn::BlendedStore(deviation, inside, d,
                        batch.deviations + static_cast<std::size_t>(k) * batch.stride + i);

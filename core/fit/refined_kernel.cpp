@@ -22,7 +22,11 @@ struct Lanes {
   V step[kParameterCount];  // from there
   V share;                  // of the step that is tried next
   V cost;                   // at the base
-  V decrease;               // of the cost that the whole step promises, halved
+  V decrease;               // of the cost that the whole step promises
+  // Of the last round with derivatives.
+  V modelled[kMaximumFitChannels][kLinearColumns];
+  Factorisation<V> factor;
+  V free[kParameterCount];  // 0 where the coordinate was held, else 1
 };
 
 // What goes to memory of a lane that is put aside.
@@ -103,10 +107,9 @@ class Refiner {
     const D d;
     M active = hn::FirstN(d, live_);
     while (true) {
-      M converged;
-      const M finished = Round(active, converged);
-      Write(finished, converged);
-      active = hn::AndNot(finished, active);
+      active = FullRound(active);
+      if (hn::AllFalse(d, active)) return 0;
+      active = ChordRound(active);
       const std::size_t left = hn::CountTrue(d, active);
       if (left == 0) return 0;
       if (left <= patience) return PutAside(active, aside);
@@ -143,70 +146,181 @@ class Refiner {
   }
 
   // Coordinates that stay: fixed ones, and those at a bound whose way down leads out of the box.
-  HWY_INLINE void Hold(const V* trial, NormalEquations<V>& normal) const {
+  HWY_INLINE void Hold(const V* trial, NormalEquations<V>& normal) {
     const D d;
+    const V zero = hn::Zero(d);
     for (int i = 0; i < kParameterCount; ++i) {
       const V down = normal.downhill[i];
-      const M below = hn::And(hn::Le(trial[i], hn::Set(d, problem_.low[i])), hn::Le(down, hn::Zero(d)));
-      const M above = hn::And(hn::Ge(trial[i], hn::Set(d, problem_.high[i])), hn::Ge(down, hn::Zero(d)));
+      const M below = hn::And(hn::Le(trial[i], hn::Set(d, problem_.low[i])), hn::Le(down, zero));
+      const M above = hn::And(hn::Ge(trial[i], hn::Set(d, problem_.high[i])), hn::Ge(down, zero));
       M held = hn::Or(below, above);
-      if (problem_.isFixed[i]) held = hn::Eq(down, down);
+      if (problem_.isFixed[i]) held = hn::Eq(zero, zero);
+      lanes_.free[i] = hn::IfThenZeroElse(held, hn::Set(d, T(1)));
       if (!hn::AllFalse(d, held)) normal.Hold(d, i, held);
     }
   }
 
-  // One round of the active lanes; returns those that are finished and, of these, the converged.
-  HWY_INLINE M Round(M active, M& converged) {
+  // A step follows the model's curvature where it is known: dermal blood and melanin act by the root
+  // of their absorption, and what the data tell is the amount of each melanin, C_m β_m, rather than
+  // the blend.
+  HWY_INLINE void PointAlong(const V* base, const V* step, V share, V* point) const {
     const D d;
-    const V one = hn::Set(d, T(1));
-    V trial[kParameterCount];
     for (int i = 0; i < kParameterCount; ++i) {
-      trial[i] = Boxed(i, hn::MulAdd(lanes_.share, lanes_.step[i], lanes_.base[i]));
-      if (problem_.isFixed[i]) trial[i] = lanes_.base[i];
+      if (problem_.isFixed[i]) {
+        point[i] = base[i];
+        continue;
+      }
+      V move = hn::Mul(share, step[i]);
+      if (problem_.rootOffset[i] > T(0)) {
+        // √(C + c) moves in proportion: C changes by δ + δ² / 4 (C + c).
+        const V root = hn::Add(base[i], hn::Set(d, problem_.rootOffset[i]));
+        const V bend = hn::Div(move, hn::Mul(hn::Set(d, T(4)), root));
+        move = hn::MulAdd(move, hn::Min(bend, hn::Set(d, T(1))), move);
+      }
+      point[i] = Boxed(i, hn::Add(base[i], move));
     }
+    if (problem_.isLog[kMelanin] || problem_.isFixed[kMelaninBlend]) return;
+    const V ratio =
+        hn::Div(base[kMelanin], hn::Max(point[kMelanin], hn::Set(d, T(1e-6))));
+    const V move = hn::Mul(hn::Mul(share, step[kMelaninBlend]), ratio);
+    point[kMelaninBlend] = Boxed(kMelaninBlend, hn::Add(base[kMelaninBlend], move));
+  }
+
+  // With derivatives. Returns the lanes that are still active.
+  HWY_INLINE M FullRound(M active) {
+    const D d;
+    V trial[kParameterCount];
+    PointAlong(lanes_.base, lanes_.step, lanes_.share, trial);
+    ModelWithDerivatives(d, problem_, PointOf(d, problem_, trial), lanes_.modelled);
     NormalEquations<V> normal;
-    Linearise(d, problem_, lanes_.channels, lanes_.precision, trial, normal);
-    const M accepted = hn::And(active, hn::Le(normal.cost, lanes_.cost));
+    BuildNormalEquations(d, problem_, lanes_.channels, lanes_.precision, trial, lanes_.modelled,
+                         normal);
+    Hold(trial, normal);
+    V downhill[kParameterCount];
+    for (int i = 0; i < kParameterCount; ++i) downhill[i] = normal.downhill[i];
+    V step[kParameterCount];
+    StepWithinBox(trial, normal, step);
+    return Settle<false>(active, trial, downhill, normal.cost, step);
+  }
+
+  // The lowest point of the quadratic model within the box, by fixing each coordinate that would
+  // leave it to its bound and solving again for the others. Clipping the step instead would stall:
+  // the others would move as if the clipped ones had, too.
+  HWY_INLINE void StepWithinBox(const V* trial, NormalEquations<V>& normal, V* step) {
+    const D d;
+    for (int attempt = 0;; ++attempt) {
+      normal.Factorise(d, lanes_.factor);
+      lanes_.factor.Solve(d, normal.downhill, step);
+      if (attempt == kParameterCount - 1) return;
+      M crossing[kParameterCount];
+      M any = hn::FirstN(d, 0);
+      V bound[kParameterCount];
+      for (int i = 0; i < kParameterCount; ++i) {
+        const V target = hn::Add(trial[i], step[i]);
+        bound[i] = Boxed(i, target);
+        crossing[i] = hn::And(hn::Ne(bound[i], target), hn::Gt(lanes_.free[i], hn::Zero(d)));
+        if (problem_.isFixed[i]) crossing[i] = hn::FirstN(d, 0);
+        any = hn::Or(any, crossing[i]);
+      }
+      if (hn::AllFalse(d, any)) return;
+      for (int i = 0; i < kParameterCount; ++i) {
+        normal.Prescribe(d, i, crossing[i], hn::Sub(bound[i], trial[i]));
+        lanes_.free[i] = hn::IfThenZeroElse(crossing[i], lanes_.free[i]);
+      }
+    }
+  }
+
+  // With the derivatives and the factorisation of the round before.
+  HWY_INLINE M ChordRound(M active) {
+    const D d;
+    V trial[kParameterCount];
+    PointAlong(lanes_.base, lanes_.step, lanes_.share, trial);
+    V modelled[kMaximumFitChannels][1];
+    ModelOnly(d, problem_, PointOf(d, problem_, trial), modelled);
+    V cost = hn::Zero(d);
+    V downhill[kParameterCount];
+    for (V& component : downhill) component = hn::Zero(d);
+    for (std::size_t k = 0; k < problem_.channelCount; ++k) {
+      const V residual = hn::Sub(lanes_.channels[k], modelled[k][0]);
+      const V weighted = hn::Mul(residual, lanes_.precision[k]);
+      cost = hn::MulAdd(weighted, residual, cost);
+      for (int i = 0; i < kParameterCount; ++i) {
+        downhill[i] = hn::MulAdd(weighted, lanes_.modelled[k][1 + i], downhill[i]);
+      }
+    }
+    AddPrior(d, problem_, trial, downhill, cost);
+    for (int i = 0; i < kParameterCount; ++i) downhill[i] = hn::Mul(downhill[i], lanes_.free[i]);
+    V step[kParameterCount];
+    lanes_.factor.Solve(d, downhill, step);
+    return Settle<true>(active, trial, downhill, cost, step);
+  }
+
+  // Accepts the trial point, from which `step` leads on, or shortens the old step; writes the lanes
+  // that are finished. Returns the others.
+  template <bool kChord>
+  HWY_INLINE M Settle(M active, const V* trial, const V* downhill, V cost, const V* step) {
+    const D d;
+    const M accepted = hn::And(active, hn::Le(cost, lanes_.cost));
     const M rejected = hn::AndNot(accepted, active);
+    [[maybe_unused]] const V before = lanes_.decrease;
+    [[maybe_unused]] const M wasWhole = hn::Eq(lanes_.share, hn::Set(d, T(1)));
 
     // Rejected: the parabola through both costs and the slope at the base says where to try next.
-    const V curvature = hn::Div(
-        hn::MulAdd(hn::Mul(hn::Set(d, T(2)), lanes_.decrease), lanes_.share,
-                   hn::Sub(normal.cost, lanes_.cost)),
-        hn::Mul(lanes_.share, lanes_.share));
-    V shorter = hn::Div(lanes_.decrease, curvature);
-    shorter = hn::Max(hn::Mul(lanes_.share, hn::Set(d, T(0.1))),
-                      hn::Min(hn::Mul(lanes_.share, hn::Set(d, T(0.5))), shorter));
+    const V two = hn::Set(d, T(2));
+    const V curvature =
+        hn::Div(hn::MulAdd(hn::Mul(two, lanes_.decrease), lanes_.share, hn::Sub(cost, lanes_.cost)),
+                hn::Mul(lanes_.share, lanes_.share));
+    const V lowest = hn::Div(lanes_.decrease, curvature);
+    const V shorter = hn::Max(hn::Mul(lanes_.share, hn::Set(d, T(0.1))),
+                              hn::Min(hn::Mul(lanes_.share, hn::Set(d, T(0.5))), lowest));
 
-    Hold(trial, normal);
-    V step[kParameterCount];
-    normal.Solve(d, step);
     V decrease = hn::Zero(d);
     for (int i = 0; i < kParameterCount; ++i) {
-      decrease = hn::MulAdd(step[i], normal.downhill[i], decrease);
+      decrease = hn::MulAdd(step[i], downhill[i], decrease);
     }
-
-    lanes_.share = hn::IfThenElse(accepted, one, shorter);
-    lanes_.cost = hn::IfThenElse(accepted, normal.cost, lanes_.cost);
+    lanes_.share = hn::IfThenElse(accepted, hn::Set(d, T(1)), shorter);
+    lanes_.cost = hn::IfThenElse(accepted, cost, lanes_.cost);
     lanes_.decrease = hn::IfThenElse(accepted, decrease, lanes_.decrease);
     for (int i = 0; i < kParameterCount; ++i) {
       lanes_.base[i] = hn::IfThenElse(accepted, trial[i], lanes_.base[i]);
       lanes_.step[i] = hn::IfThenElse(accepted, step[i], lanes_.step[i]);
     }
-    M tired = hn::FirstN(d, 0);
-    HWY_ALIGN T tiredLanes[kLanes] = {};
-    bool anyTired = false;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (++rounds_[lane] >= static_cast<std::uint32_t>(problem_.maximumRounds)) {
-        tiredLanes[lane] = T(1);
-        anyTired = true;
+
+    if constexpr (kChord) {
+      // A curved valley: the straight step ends above its floor, but the chord step leads back down
+      // to it. The next round tries both together before the step is shortened.
+      const M bent = hn::And(rejected, wasWhole);
+      lanes_.share = hn::IfThenElse(bent, hn::Set(d, T(1)), lanes_.share);
+      V target[kParameterCount];
+      PointAlong(trial, step, hn::Set(d, T(1)), target);
+      for (int i = 0; i < kParameterCount; ++i) {
+        const V both = hn::Sub(target[i], lanes_.base[i]);
+        lanes_.step[i] = hn::IfThenElse(bent, both, lanes_.step[i]);
       }
     }
-    if (anyTired) tired = hn::And(active, hn::Gt(hn::Load(d, tiredLanes), hn::Zero(d)));
+
     // Steps too short to matter: the cost is as low as its rounding lets it be.
     const M stuck = hn::And(rejected, hn::Lt(lanes_.share, hn::Set(d, T(1e-3))));
-    converged = hn::Or(hn::And(accepted, hn::Lt(decrease, hn::Set(d, problem_.tolerance))), stuck);
-    return hn::Or(converged, tired);
+    V limit = hn::Set(d, problem_.tolerance);
+    // A chord step is small across a valley even where the way along it is long; only one that is
+    // far smaller than the step before tells that the end is near.
+    if constexpr (kChord) limit = hn::Min(limit, hn::Mul(before, hn::Set(d, T(0.03))));
+    const M small = hn::Lt(decrease, limit);
+    const M converged = hn::Or(hn::And(accepted, small), stuck);
+    const M finished = hn::Or(converged, hn::And(active, Tired()));
+    Write(finished, converged);
+    return hn::AndNot(finished, active);
+  }
+
+  // Counts the round; lanes that have had as many as they may.
+  HWY_INLINE M Tired() {
+    const D d;
+    HWY_ALIGN T tired[kLanes];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      tired[lane] = ++rounds_[lane] >= static_cast<std::uint32_t>(problem_.maximumRounds) ? T(1)
+                                                                                         : T(0);
+    }
+    return hn::Gt(hn::Load(d, tired), hn::Zero(d));
   }
 
   // Finished lanes take their last step unseen: it is shorter than what the tolerance lets matter.
@@ -217,10 +331,9 @@ class Refiner {
     HWY_ALIGN T flags[2][kLanes];
     const V nothing = hn::Zero(d);
     const V share = hn::IfThenElse(converged, lanes_.share, nothing);
-    for (int i = 0; i < kParameterCount; ++i) {
-      const V last = Boxed(i, hn::MulAdd(share, lanes_.step[i], lanes_.base[i]));
-      hn::Store(problem_.isFixed[i] ? lanes_.base[i] : last, d, values[i]);
-    }
+    V last[kParameterCount];
+    PointAlong(lanes_.base, lanes_.step, share, last);
+    for (int i = 0; i < kParameterCount; ++i) hn::Store(last[i], d, values[i]);
     const V one = hn::Set(d, T(1));
     hn::Store(hn::IfThenElseZero(finished, one), d, flags[0]);
     hn::Store(hn::IfThenElseZero(converged, one), d, flags[1]);

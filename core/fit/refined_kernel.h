@@ -3,10 +3,13 @@
 // Vectorised Gauss–Newton for many pixels at once: the inner part of core/fit/refined_solver.cpp.
 // Plain data, see core/skin/node_constants.h.
 //
-// One pixel a lane. A round evaluates the model and its derivatives at the trial point, accepts it or
-// shortens the step, and solves the 5 × 5 normal equations for the next step. A lane stops when the
-// step it is about to take would lower the cost by less than `tolerance`; lanes that need longer than
-// their neighbours are put aside and share vectors of their own, so that finished ones cost nothing.
+// One pixel a lane. A round evaluates the model at the trial point, accepts it or shortens the step,
+// and solves for the next step. Rounds come in pairs: the first evaluates derivatives too and
+// factorises the 5 × 5 normal equations, the second reuses both (a chord step), at less than half the
+// cost. A lane stops when the step it is about to take would lower the cost by less than `tolerance`;
+// lanes that need longer than their neighbours are put aside after a pair of rounds and share vectors
+// of their own, so that finished ones cost nothing. What a lane goes through depends on its own
+// pixel alone.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,18 +25,6 @@ inline constexpr std::size_t kMaximumFitNodes = 48;
 inline constexpr int kStartComponents = 4;
 inline constexpr int kStartTerms = 35;
 
-// Coefficients of one channel at one node: the weight, and the weight times the absorption of each
-// chromophore, from which the derivatives are assembled.
-template <typename T>
-struct FitWeight {
-  T value;
-  T pheomelanin;
-  T melaninContrast;
-  T epidermalBlood;
-  T carotene;
-  T dermalBlood;
-};
-
 // Where a pixel begins, from its own channels.
 struct StartPolynomial {
   // component = Σ_k projection[component][k] · ln(channel k) + offset[component]
@@ -48,7 +39,7 @@ struct RefinedProblem {
   const NodeConstants<T>* nodes;
   std::size_t nodeCount;
   LayerConstants<T> layers;
-  const FitWeight<T>* weights;  // [channel][node]
+  const T* weights;  // [channel][node]
   std::size_t channelCount;
   // Of a channel's variance: readVariance + proportionalVariance · channel².
   T readVariance;
@@ -60,6 +51,7 @@ struct RefinedProblem {
   T high[kParameterCount];
   T priorMean[kParameterCount];       // of a fixed parameter: where it is fixed
   T priorPrecision[kParameterCount];  // 1 / s²
+  T rootOffset[kParameterCount];      // c where a step follows √(C + c); 0: straight
   T tolerance;                        // in units of one standard deviation²
   int maximumRounds;
   const StartPolynomial* start;  // null: begin where the batch says

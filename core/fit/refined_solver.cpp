@@ -17,8 +17,9 @@
 namespace cutis {
 namespace {
 
-// Where another step would move a pixel by less than this many posterior deviations, squared.
-constexpr double kTolerance = 0.02;
+// A pixel is done when the next step would lower its cost by less than this: the step it then takes
+// leaves a few hundredths of a posterior deviation.
+constexpr double kTolerance = 0.1;
 constexpr double kExactTolerance = 1e-9;
 constexpr int kMaximumRounds = 40;
 constexpr double kNodeTolerance = 1e-5;
@@ -37,8 +38,7 @@ class ProblemData {
       : model_(model, nodes.samples) {
     for (Eigen::Index k = 0; k < nodes.weights.rows(); ++k) {
       for (Eigen::Index n = 0; n < nodes.weights.cols(); ++n) {
-        weights_.push_back(fitWeight(nodes.weights(k, n),
-                                     model_.nodes<double>()[static_cast<std::size_t>(n)]));
+        weights_.push_back(static_cast<T>(nodes.weights(k, n)));
       }
     }
     problem_.nodes = model_.template nodes<T>().data();
@@ -50,6 +50,7 @@ class ProblemData {
     problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
     problem_.maximumRounds = kMaximumRounds;
     setCoordinates(model.profile().axes, prior, options);
+    setCurvature(model);
   }
   ProblemData(const ProblemData&) = delete;
   ProblemData& operator=(const ProblemData&) = delete;
@@ -58,15 +59,6 @@ class ProblemData {
   const RefinedProblem<T>& problem() const { return problem_; }
 
  private:
-  static FitWeight<T> fitWeight(double weight, const NodeConstants<double>& node) {
-    return {static_cast<T>(weight),
-            static_cast<T>(weight * node.pheomelanin),
-            static_cast<T>(weight * node.melaninContrast),
-            static_cast<T>(weight * node.epidermalBlood),
-            static_cast<T>(weight * node.carotene),
-            static_cast<T>(weight * node.dermalBlood)};
-  }
-
   void setCoordinates(const ParameterAxes& axes, const Prior& prior, const FitOptions& options) {
     for (int i = 0; i < kParameterCount; ++i) {
       const auto index = static_cast<std::size_t>(i);
@@ -86,8 +78,18 @@ class ProblemData {
     }
   }
 
+  // Where a chromophore outweighs the absorption of the tissue without it, in the green.
+  void setCurvature(const SkinModel& model) {
+    constexpr int green = (550 - kFirstWavelengthNm) / kWavelengthStepNm;
+    const auto offset = [&](int i, double base, double chromophore) {
+      problem_.rootOffset[i] = problem_.isLog[i] ? T(0) : static_cast<T>(base / chromophore);
+    };
+    offset(kMelanin, model.epidermis().base[green], model.epidermis().eumelanin[green]);
+    offset(kHaemoglobinDermal, model.dermis().base[green], model.dermis().blood[green]);
+  }
+
   NodeModel model_;
-  std::vector<FitWeight<T>> weights_;
+  std::vector<T> weights_;
   RefinedProblem<T> problem_ = {};
 };
 

@@ -22,6 +22,8 @@ constexpr double kSmallestChannel = 1e-4;
 // A component is limited to this many of its standard deviations (start_polynomial-inl.h).
 constexpr double kLimit = 4.0;
 
+static_assert(3 * kMaximumLights <= static_cast<int>(kMaximumFitChannels));
+
 // Drawn from the prior, as far as it lies in the profile's box.
 std::vector<ParameterVector> drawFromPrior(
     const ParameterAxes& axes, const Prior& prior,

@@ -22,7 +22,11 @@ std::optional<double> whiteShare(const RigLight& mixture, const RigLight& white,
   if (!mixture.mix || !white.mix) return std::nullopt;
   std::optional<double> share;
   for (int i = 0; i < 3; ++i) {
-    if (i == primary || (*white.mix)[i] <= 0.0) continue;
+    if (i == primary) continue;
+    if ((*white.mix)[i] <= 0.0) {
+      if ((*mixture.mix)[i] > 0.0) return std::nullopt;
+      continue;
+    }
     const double ratio = (*mixture.mix)[i] / (*white.mix)[i];
     if (share && std::abs(*share - ratio) > 1e-6) return std::nullopt;
     if (!share) share = ratio;

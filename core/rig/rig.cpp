@@ -1,5 +1,6 @@
 #include "core/rig/rig.h"
 
+#include <cmath>
 #include <cstddef>
 #include <set>
 
@@ -34,6 +35,10 @@ int Rig::lightIndex(const std::string& lightName) const {
 
 Status validate(const Rig& rig, const std::string& place) {
   if (rig.lights.empty()) return inputError(place, "lights is empty; name at least one light");
+  if (rig.lights.size() > kMaximumLights) {
+    return inputError(place, "lights lists " + std::to_string(rig.lights.size()) +
+                                 " lights; list at most " + std::to_string(kMaximumLights));
+  }
   std::set<std::string> names;
   for (const RigLight& light : rig.lights) {
     if (!names.insert(light.name).second) {
@@ -52,14 +57,19 @@ Status validate(const Rig& rig, const std::string& place) {
                                    "; correct the file");
     }
   }
-  if (!(rig.noise.read >= 0.0) || !(rig.noise.proportional >= 0.0)) {
-    return inputError(place, "noise must not be negative");
+  for (const double deviation : {rig.noise.read, rig.noise.proportional}) {
+    if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
+      return inputError(place, "noise must be finite and not negative");
+    }
   }
   return {};
 }
 
 Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
                        const std::string& place) {
+  if (names.empty()) {
+    return usageError(place, "no light is named; rig '" + rig.name + "' has " + lightList(rig));
+  }
   Rig selected = rig;
   selected.lights.clear();
   for (const std::string& name : names) {

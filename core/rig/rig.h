@@ -46,6 +46,9 @@ struct NoiseModel {
   bool isExact() const { return read == 0.0 && proportional == 0.0; }
 };
 
+// The fit keeps the channels of all lights in registers.
+inline constexpr int kMaximumLights = 10;
+
 struct Rig {
   std::string name;
   Camera camera;
@@ -59,11 +62,12 @@ struct Rig {
   int lightIndex(const std::string& lightName) const;
 };
 
-// Checks that there is a light, that names differ, that no power or sensitivity is negative or not
-// a number. A channel that sees nothing is allowed; it is left out of a fit.
+// Checks that there are lights and not too many, that names differ, that no power, sensitivity or
+// noise is negative or not finite. A channel that sees nothing is allowed; it is left out of a fit.
 Status validate(const Rig& rig, const std::string& place);
 
-// The same rig with only these lights, in this order. Fails if a name is unknown.
+// The same rig with only these lights, in this order. Fails if there is none, or a name is unknown or
+// given twice.
 Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
                        const std::string& place);
 

@@ -75,12 +75,24 @@ HWY_INLINE V PositiveAbsorption(D d, V absorption) {
   return hn::Max(absorption, hn::Set(d, hn::TFromD<D>(1e-6)));
 }
 
-// Polynomial with coefficients from the constant upwards.
-template <class D, std::size_t kTerms, class V = hn::Vec<D>>
-HWY_INLINE V PolynomialOf(D d, const hn::TFromD<D> (&coefficients)[kTerms], V x) {
-  V sum = hn::Set(d, coefficients[kTerms - 1]);
-  for (std::size_t k = kTerms - 1; k-- > 0;) sum = hn::MulAdd(sum, x, hn::Set(d, coefficients[k]));
-  return sum;
+// Polynomial with coefficients from the constant upwards, in pairs (Estrin): half the latency of
+// Horner's rule, and latency is what bounds these kernels.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V PolynomialOf(D d, const hn::TFromD<D> (&c)[6], V x) {
+  const V x2 = hn::Mul(x, x);
+  const V low = hn::MulAdd(x, hn::Set(d, c[1]), hn::Set(d, c[0]));
+  const V middle = hn::MulAdd(x, hn::Set(d, c[3]), hn::Set(d, c[2]));
+  const V high = hn::MulAdd(x, hn::Set(d, c[5]), hn::Set(d, c[4]));
+  return hn::MulAdd(hn::MulAdd(high, x2, middle), x2, low);
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V PolynomialOf(D d, const hn::TFromD<D> (&c)[7], V x) {
+  const V x2 = hn::Mul(x, x);
+  const V low = hn::MulAdd(x, hn::Set(d, c[1]), hn::Set(d, c[0]));
+  const V middle = hn::MulAdd(x, hn::Set(d, c[3]), hn::Set(d, c[2]));
+  const V high = hn::MulAdd(x2, hn::Set(d, c[6]), hn::MulAdd(x, hn::Set(d, c[5]), hn::Set(d, c[4])));
+  return hn::MulAdd(hn::MulAdd(high, x2, middle), x2, low);
 }
 
 // g = e^(−s/3)

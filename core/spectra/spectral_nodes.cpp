@@ -134,9 +134,12 @@ SpectralNodes withWeights(const SpectrumRows& rows, const SpectrumRows& training
   SpectralNodes nodes;
   nodes.samples = std::move(samples);
   const MatrixXd target = training.matrix() * rows.matrix().transpose();
-  // Orthogonal factorisation: the normal equations would lose half the digits here.
-  nodes.weights =
-      gather(training, nodes.samples).colPivHouseholderQr().solve(target).transpose();
+  nodes.weights = MatrixXd(rows.rows(), 0);
+  if (!nodes.samples.empty()) {
+    // Orthogonal factorisation: the normal equations would lose half the digits here.
+    nodes.weights =
+        gather(training, nodes.samples).colPivHouseholderQr().solve(target).transpose();
+  }
   const MatrixXd error = gather(checking, nodes.samples) * nodes.weights.transpose() -
                          checking.matrix() * rows.matrix().transpose();
   nodes.rmsError = std::sqrt(error.squaredNorm() / static_cast<double>(error.size()));
@@ -149,6 +152,8 @@ SpectralNodes withWeights(const SpectrumRows& rows, const SpectrumRows& training
 SpectralNodes chooseSpectralNodes(const SpectrumRows& rows, const SpectrumRows& training,
                                   const SpectrumRows& checking, const NodeOptions& options) {
   const std::vector<int> candidates = samplesInUse(rows);
+  SpectralNodes nodes = withWeights(rows, training, checking, {});
+  if (candidates.empty()) return nodes;
   const MatrixXd target = training.matrix() * rows.matrix().transpose();
   const Selection selection(gather(training, candidates), target);
   const auto toSamples = [&](const std::vector<Index>& chosen) {
@@ -158,7 +163,6 @@ SpectralNodes chooseSpectralNodes(const SpectrumRows& rows, const SpectrumRows& 
   };
 
   std::vector<Index> chosen;
-  SpectralNodes nodes;
   const auto limit = std::min<std::size_t>(candidates.size(),
                                            static_cast<std::size_t>(options.maximumNodes));
   while (chosen.size() < limit) {

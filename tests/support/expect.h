@@ -5,6 +5,7 @@
 #include <QString>
 #include <QtTest>
 #include <cmath>
+#include <string>
 
 #include "core/base/result.h"
 
@@ -42,8 +43,8 @@
 #define EXPECT_ERROR(result, part)                                                               \
   do {                                                                                           \
     const auto& expect_r = (result);                                                             \
-    QVERIFY2(expect_r.failed(), "expected an error with: " part);                                \
-    QVERIFY2(expect_r.error().text().find(part) != std::string::npos,                            \
-             qPrintable(QString("expected '%1' in: %2")                                          \
-                            .arg(part, QString::fromStdString(expect_r.error().text()))));       \
+    const std::string expect_p = (part);                                                         \
+    QVERIFY2(expect_r.failed(), ("expected an error with: " + expect_p).c_str());                \
+    QVERIFY2(expect_r.error().text().find(expect_p) != std::string::npos,                        \
+             ("expected '" + expect_p + "' in: " + expect_r.error().text()).c_str());            \
   } while (false)

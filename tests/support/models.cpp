@@ -5,6 +5,7 @@
 
 #include "src/files/profile_file.h"
 #include "src/files/rig_file.h"
+#include "src/files/spectral_library.h"
 
 namespace cutis::test {
 namespace {
@@ -34,5 +35,14 @@ const Rig& albedoRig() {
   static const Rig rig = require(loadRig("albedo", {}, "test"));
   return rig;
 }
+
+Spectrum light(const std::string& name) { return require(loadLight({name, {}, "test"})); }
+
+const Sensor& cie1931() {
+  static const Camera observer = require(loadCamera({"cie1931", {}, "test"}));
+  return observer.sensor;
+}
+
+Eigen::Vector3d daylightWhite() { return whitePoint(light("D65"), cie1931()); }
 
 }  // namespace cutis::test

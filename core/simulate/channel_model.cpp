@@ -1,0 +1,62 @@
+#include "core/simulate/channel_model.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+#include "core/skin/parameter_sampling.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kTrainingCount = 400;
+constexpr int kCheckingCount = 200;
+constexpr NodeOptions kNodeOptions = {1e-6, 40};
+
+Result<SpectrumRows> sampledSpectra(const SkinModel& model, int count, int first,
+                                    const JobContext& context) {
+  const std::vector<ParameterVector> points = sampleBox(model.profile().axes, count, first);
+  SpectrumRows spectra(count, kSampleCount);
+  CUTIS_CHECK(parallelFor(points.size(), context, [&](std::size_t i) -> Status {
+    spectra.row(static_cast<Eigen::Index>(i)) = model.reflectance(points[i]).transpose();
+    return {};
+  }));
+  return spectra;
+}
+
+}  // namespace
+
+Result<ChannelModel> ChannelModel::create(const SkinModel& model, const Rig& rig,
+                                          const JobContext& context) {
+  CUTIS_TRY(training, sampledSpectra(model, kTrainingCount, 0, context.child(0.0, 0.3)));
+  CUTIS_TRY(checking,
+            sampledSpectra(model, kCheckingCount, kTrainingCount, context.child(0.3, 0.5)));
+  return ChannelModel(model,
+                      chooseSpectralNodes(responseRows(rig), training, checking, kNodeOptions),
+                      rig.channelCount());
+}
+
+ChannelModel::ChannelModel(const SkinModel& model, const SpectralNodes& nodes, int channelCount)
+    : nodes_(model, nodes.samples), weights_(static_cast<std::size_t>(channelCount)) {
+  // A rig that sees nothing has no nodes.
+  for (Eigen::Index n = 0; n < nodes.weights.cols(); ++n) {
+    for (std::size_t k = 0; k < weights_.size(); ++k) {
+      weights_[k].push_back(static_cast<float>(nodes.weights(static_cast<Eigen::Index>(k), n)));
+    }
+  }
+}
+
+void ChannelModel::evaluate(const ParameterBatch<float>& batch, std::vector<float>& reflectance,
+                            float* const* channels) const {
+  reflectance.resize(batch.count * static_cast<std::size_t>(nodes_.nodeCount()));
+  reflectanceBatch<float>(nodes_, batch, reflectance.data());
+  for (std::size_t k = 0; k < weights_.size(); ++k) {
+    std::fill(channels[k], channels[k] + batch.count, 0.0f);
+    for (std::size_t n = 0; n < weights_[k].size(); ++n) {
+      const float weight = weights_[k][n];
+      const float* values = reflectance.data() + n * batch.count;
+      for (std::size_t i = 0; i < batch.count; ++i) channels[k][i] += weight * values[i];
+    }
+  }
+}
+
+}  // namespace cutis

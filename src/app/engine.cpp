@@ -1,0 +1,92 @@
+#include "src/app/engine.h"
+
+#include <utility>
+
+#include "core/base/content_hash.h"
+#include "core/fit/refined_solver.h"
+#include "core/fit/search_solver.h"
+#include "src/files/profile_file.h"
+#include "src/files/spectral_library.h"
+#include "src/files/table_cache.h"
+
+namespace cutis {
+namespace {
+
+// Simulated faces that decide what the first stage of the three-stage search holds fixed.
+constexpr int kTrainingPopulation = 1000;
+
+}  // namespace
+
+Engine::Engine(std::filesystem::path cache) : cache_(std::move(cache)) {}
+
+template <typename T>
+std::shared_ptr<const T> Engine::find(const Cache<T>& cache, const std::string& key) const {
+  const std::scoped_lock lock(mutex_);
+  const auto found = cache.find(key);
+  return found == cache.end() ? nullptr : found->second;
+}
+
+template <typename T>
+std::shared_ptr<const T> Engine::keep(Cache<T>& cache, const std::string& key,
+                                      std::shared_ptr<const T> made) {
+  const std::scoped_lock lock(mutex_);
+  return cache.try_emplace(key, std::move(made)).first->second;
+}
+
+Result<std::shared_ptr<const SkinModel>> Engine::model(const std::string& profile,
+                                                       const std::string& place) {
+  CUTIS_TRY(text, profileText(profile, place));
+  return modelFromText(text, profile);
+}
+
+Result<std::shared_ptr<const SkinModel>> Engine::modelFromText(const std::string& text,
+                                                               const std::string& place) {
+  const std::string key = ContentHash().add(std::string_view(text)).digest();
+  if (auto known = find(models_, key)) return known;
+  CUTIS_TRY(profile, parseProfile(text, place));
+  return keep(models_, key, std::make_shared<const SkinModel>(profile));
+}
+
+Result<std::shared_ptr<const PixelSolver>> Engine::solver(
+    const std::shared_ptr<const SkinModel>& model, const Rig& rig, const FitOptions& options,
+    const JobContext& context) {
+  if (options.method == FitMethod::refined) {
+    return std::shared_ptr<const PixelSolver>(makeRefinedSolver(model, rig, options));
+  }
+  CUTIS_TRY(search, tableSearch(*model, rig, context.child(0.0, 0.8, "table of skin")));
+  auto channels = std::make_shared<const ResponseModel>(*model, responseRows(rig));
+  if (options.method == FitMethod::fullSearch) {
+    return std::shared_ptr<const PixelSolver>(makeFullSearchSolver(search, std::move(channels)));
+  }
+  const int carotene = search->mostFrequentCarotene(*model, rig, kTrainingPopulation);
+  return std::shared_ptr<const PixelSolver>(
+      makeThreeStageSolver(search, carotene, std::move(channels)));
+}
+
+Result<std::shared_ptr<const ResponseModel>> Engine::picture(
+    const std::shared_ptr<const SkinModel>& model, const PictureRequest& request,
+    const std::string& place) {
+  CUTIS_TRY(rows, pictureRows(request, place));
+  ContentHash hash;
+  hash.add(fingerprint(model->profile()));
+  hash.add(std::span<const double>(rows.data(), static_cast<std::size_t>(rows.size())));
+  const std::string key = hash.digest();
+  if (auto known = find(pictures_, key)) return known;
+  return keep(pictures_, key, std::make_shared<const ResponseModel>(*model, rows));
+}
+
+Result<std::shared_ptr<const TableSearch>> Engine::tableSearch(const SkinModel& model,
+                                                               const Rig& rig,
+                                                               const JobContext& context) {
+  const std::string key = fingerprint(model.profile()) + fingerprint(rig);
+  if (auto known = find(searches_, key)) return known;
+  CUTIS_TRY(daylight, loadLight({"D65", {}, {}}));
+  CUTIS_TRY(observer, loadCamera({"cie1931", {}, {}}));
+  const SpectrumRows rows = searchTableRows(rig, daylight, observer.sensor);
+  CUTIS_TRY(table, cachedSkinTable(model, rows, cache_, context));
+  return keep(searches_, key,
+              std::make_shared<const TableSearch>(table, rig,
+                                                  whitePoint(daylight, observer.sensor)));
+}
+
+}  // namespace cutis

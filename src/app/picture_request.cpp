@@ -1,0 +1,46 @@
+#include "src/app/picture_request.h"
+
+#include "core/render/relight.h"
+#include "src/files/csv.h"
+#include "src/files/spectral_library.h"
+
+namespace cutis {
+
+Result<SpectrumRows> pictureRows(const PictureRequest& request, const std::string& place) {
+  if (request.band) return bandRow(*request.band);
+  CUTIS_TRY(light, loadLight({request.light, {}, place}));
+  CUTIS_TRY(eyes, loadCamera({request.observer, {}, place}));
+  if (!eyes.isObserver) {
+    const SpectrumRows rows = channelRows(light, eyes.sensor);
+    if ((rows == 0.0).all()) {
+      return inputError(place, "camera '" + request.observer + "' sees nothing of light '" +
+                                   request.light + "'; choose others");
+    }
+    return rows;
+  }
+  if (!(eyes.sensor.sensitivity.row(1).transpose() * light).any()) {
+    return inputError(place, "light '" + request.light +
+                                 "' has no visible power; use --band for ultraviolet or infrared");
+  }
+  CUTIS_TRY(daylight, loadLight({"D65", {}, place}));
+  CUTIS_TRY(standard, loadCamera({"cie1931", {}, place}));
+  return colourRows(light, eyes.sensor, request.adaptation, daylight, standard.sensor);
+}
+
+Result<Band> parseBand(const std::string& text, const std::string& place) {
+  if (text == "uv") return kUltravioletBand;
+  if (text == "nir") return kNearInfraredBand;
+  const auto colon = text.find(':');
+  const auto from = parseNumber(text.substr(0, colon));
+  const auto to = colon == std::string::npos ? std::nullopt : parseNumber(text.substr(colon + 1));
+  if (!from || !to) {
+    return usageError(place, "'" + text + "' is not a band; write uv, nir or FROM:TO in nm");
+  }
+  const Band band = bandBetween(*from, *to);
+  if (!(*from <= *to) || band.count() <= 0) {
+    return usageError(place, "the band " + text + " holds no wavelength between 300 and 1000 nm");
+  }
+  return band;
+}
+
+}  // namespace cutis

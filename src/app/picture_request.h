@@ -1,0 +1,32 @@
+#pragma once
+
+// What picture of the skin is wanted: which light and eyes, or which band.
+
+#include <optional>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/spectra/colorimetry.h"
+#include "core/spectra/grid.h"
+
+namespace cutis {
+
+struct PictureRequest {
+  // Names or paths, see src/files/spectral_library.h.
+  std::string light = "D65";
+  std::string observer = "cie1931";
+  ChromaticAdaptation adaptation = ChromaticAdaptation::none;
+  // Instead of a light and an observer: mean reflectance over a band, one channel.
+  std::optional<Band> band;
+
+  bool operator==(const PictureRequest&) const = default;
+};
+
+// The rows of the response matrix: linear Rec.709 for an observer, the camera's own channels for a
+// camera, one row for a band. `place` stands in front of errors about the names.
+Result<SpectrumRows> pictureRows(const PictureRequest& request, const std::string& place);
+
+// "uv" and "nir", or "A:B" in nm; both ends included. Fails with a sentence for anything else.
+Result<Band> parseBand(const std::string& text, const std::string& place);
+
+}  // namespace cutis

@@ -1,0 +1,21 @@
+#pragma once
+
+// The colour spaces that need no configuration.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/color/color_space.h"
+
+namespace cutis {
+
+// Index of the space this name or alias means; nothing if it is none of ours.
+std::optional<int> builtInSpace(const std::string& name);
+std::string builtInSpaceName(int index);
+std::vector<std::string> builtInSpaceNames();
+
+ColorConverter builtInToLinearRec709(int index);
+ColorConverter builtInFromLinearRec709(int index);
+
+}  // namespace cutis

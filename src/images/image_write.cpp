@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cctype>
+#include <numeric>
+#include <optional>
+
+#include "src/files/atomic_write.h"
+#include "src/images/color_tags.h"
+#include "src/images/image_file.h"
+#include "src/images/image_writer.h"
+#include "src/images/metadata_access.h"
+#include "src/images/oiio_text.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kJpegQuality = 95;
+
+struct OutputFormat {
+  ImageFileKind kind;
+  std::vector<SampleType> types;
+  bool colorsOnly;  // one or three, nothing else
+  bool alpha;       // beside them
+};
+
+std::optional<OutputFormat> outputFormat(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  using enum SampleType;
+  if (extension == ".exr") return OutputFormat{ImageFileKind::openExr, {half, float32}, false, true};
+  if (extension == ".png") return OutputFormat{ImageFileKind::png, {uint8, uint16}, true, true};
+  if (extension == ".tif" || extension == ".tiff") {
+    return OutputFormat{ImageFileKind::tiff, {uint16, uint8, float32}, false, true};
+  }
+  if (extension == ".jpg" || extension == ".jpeg") {
+    return OutputFormat{ImageFileKind::jpeg, {uint8}, true, false};
+  }
+  return std::nullopt;
+}
+
+Result<OutputFormat> requireFormat(const std::filesystem::path& path) {
+  const auto format = outputFormat(path);
+  if (format) return *format;
+  return usageError(path.string(), "images are written as .exr, .tif, .png or .jpg; name the file "
+                                   "with one of these");
+}
+
+std::string listOf(const std::vector<SampleType>& types) {
+  std::string list;
+  for (const SampleType type : types) list += (list.empty() ? "" : ", ") + sampleTypeName(type);
+  return list;
+}
+
+bool isAlpha(const std::string& name) { return name == "A" || name == "alpha"; }
+
+// Red, green, blue, alpha and then the others; without the three colours the order of the content.
+std::vector<std::size_t> orderedChannels(const std::vector<std::string>& names) {
+  const auto rank = [&](std::size_t i) {
+    constexpr std::array<std::string_view, 3> colors = {"R", "G", "B"};
+    const auto color = std::find(colors.begin(), colors.end(), names[i]);
+    if (color != colors.end()) return static_cast<int>(color - colors.begin());
+    return isAlpha(names[i]) ? 3 : 4;
+  };
+  std::vector<std::size_t> order(names.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto colors = std::count_if(order.begin(), order.end(), [&](auto i) { return rank(i) < 3; });
+  if (colors == 3) {
+    std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return rank(i) < rank(j); });
+  }
+  return order;
+}
+
+// Which channels the format has a place for, in its order.
+std::vector<std::size_t> chosenChannels(const std::vector<std::string>& names,
+                                        const OutputFormat& format) {
+  const std::vector<std::size_t> ordered = orderedChannels(names);
+  if (!format.colorsOnly) return ordered;
+  std::vector<std::size_t> kept, alpha;
+  for (const std::size_t i : ordered) (isAlpha(names[i]) ? alpha : kept).push_back(i);
+  if (kept.empty()) std::swap(kept, alpha);
+  kept.resize(kept.size() >= 3 ? 3 : 1);
+  if (format.alpha && !alpha.empty()) kept.push_back(alpha.front());
+  return kept;
+}
+
+OIIO::ImageSpec plainSpec(const ImageContent& content, const std::vector<std::size_t>& channels,
+                          const OutputFormat& format, SampleType type) {
+  const Plane& first = content.channels.front();
+  OIIO::ImageSpec spec(first.width(), first.height(), static_cast<int>(channels.size()),
+                       oiioType(type));
+  spec.alpha_channel = -1;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    spec.channelnames[i] = content.channelNames[channels[i]];
+    if (isAlpha(spec.channelnames[i])) spec.alpha_channel = static_cast<int>(i);
+  }
+  spec.attribute("oiio:UnassociatedAlpha", 1);  // colours are not to be divided by alpha
+  if (format.kind == ImageFileKind::jpeg) {
+    spec.attribute("CompressionQuality", kJpegQuality);
+    spec.attribute("jpeg:subsampling", "4:4:4");
+  } else {
+    spec.attribute("compression", "zip");
+  }
+  return spec;
+}
+
+}  // namespace
+
+Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path& path) {
+  CUTIS_TRY(format, requireFormat(path));
+  return format.types;
+}
+
+Status checkImageOutput(const std::filesystem::path& path, SampleType type) {
+  CUTIS_TRY(format, requireFormat(path));
+  if (std::find(format.types.begin(), format.types.end(), type) == format.types.end()) {
+    return usageError(path.string(), imageKindName(format.kind) + " does not hold samples of type " +
+                                         sampleTypeName(type) + "; choose " +
+                                         listOf(format.types) + " or another format");
+  }
+  return checkWritable(path);
+}
+
+Status writeImage(const std::filesystem::path& path, const ImageContent& content, SampleType type,
+                  const JobContext& context) {
+  assert(!content.channels.empty() && content.channels.size() == content.channelNames.size());
+  CUTIS_CHECK(checkImageOutput(path, type));
+  const OutputFormat format = *outputFormat(path);
+  const std::string place = path.string();
+  const std::vector<std::size_t> channels = chosenChannels(content.channelNames, format);
+  if (channels.size() < content.channels.size()) {
+    context.say(place + ": " + imageKindName(format.kind) + " has room for " +
+                std::to_string(channels.size()) + " of the " +
+                std::to_string(content.channels.size()) + " channels; the others are left out");
+  }
+  OIIO::ImageSpec plain = plainSpec(content, channels, format, type);
+  OutputPart part{plain, {}};
+  for (const std::size_t i : channels) part.channels.push_back(content.channels[i]);
+  MetadataAccess::add(content.metadata, content.keepColorProfile, part.spec);
+  for (OIIO::ImageSpec* spec : {&plain, &part.spec}) {
+    if (!tagColorSpace(format.kind, type, content.colorSpace, *spec) && spec == &plain &&
+        !content.keepColorProfile) {
+      context.say(place + ": " + imageKindName(format.kind) + " of this sample type cannot say " +
+                  "that its colours are " + content.colorSpace + "; name it when you use the file");
+    }
+  }
+  return writeAtomically(path, [&](const std::filesystem::path& temporary) {
+    return writeParts(temporary, place, format.kind, type, {part}, {plain}, context);
+  });
+}
+
+}  // namespace cutis

@@ -1,0 +1,24 @@
+#pragma once
+
+// Names that stand in maps files. For the files of this folder.
+
+namespace cutis::maps_format {
+
+inline constexpr int kNewestVersion = 1;
+
+inline constexpr char kChromophoresPart[] = "chromophores";
+inline constexpr char kStatePart[] = "state";
+inline constexpr char kDeviationPart[] = "deviation";
+inline constexpr char kResidualPart[] = "residual";
+inline constexpr char kShadingPart[] = "shading";
+
+inline constexpr char kVersion[] = "cutis:version";
+inline constexpr char kProfile[] = "cutis:profile";
+inline constexpr char kProfileJson[] = "cutis:profile_json";
+inline constexpr char kRig[] = "cutis:rig";
+inline constexpr char kMethod[] = "cutis:method";
+inline constexpr char kExposure[] = "cutis:exposure";
+inline constexpr char kSources[] = "cutis:sources";
+inline constexpr char kSourceColorSpace[] = "cutis:source_colorspace";
+
+}  // namespace cutis::maps_format

@@ -1,0 +1,87 @@
+#include "src/images/maps_repair.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/skin/parameter.h"
+#include "core/skin/pixel_state.h"
+
+namespace cutis {
+namespace {
+
+bool isState(float value) {
+  return value >= 0.0f && value <= static_cast<float>(PixelState::noConvergence) &&
+         value == std::floor(value);
+}
+
+struct Tile {
+  std::vector<float> state;
+  std::array<std::vector<float>, kParameterCount> values;
+
+  Status load(const ChromophoreMaps& maps, const Rect& rect) {
+    state.resize(rect.pixelCount());
+    CUTIS_CHECK(maps.state.load(rect, state));
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      values[k].resize(rect.pixelCount());
+      CUTIS_CHECK(maps.values[k].load(rect, values[k]));
+    }
+    return {};
+  }
+
+  Status store(ChromophoreMaps& maps, const Rect& rect) const {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      CUTIS_CHECK(maps.values[k].store(rect, values[k]));
+    }
+    return maps.state.store(rect, state);
+  }
+
+  std::size_t invalidateSpoiled() {
+    std::size_t spoiled = 0;
+    for (std::size_t p = 0; p < state.size(); ++p) {
+      const bool finite = std::all_of(values.begin(), values.end(),
+                                      [&](const auto& v) { return std::isfinite(v[p]); });
+      if (finite && isState(state[p])) continue;
+      ++spoiled;
+      state[p] = static_cast<float>(PixelState::invalid);
+      for (auto& v : values) v[p] = 0.0f;
+    }
+    return spoiled;
+  }
+};
+
+}  // namespace
+
+Result<std::size_t> invalidateSpoiledPixels(ChromophoreMaps& maps, const JobContext& context) {
+  std::atomic<std::size_t> total = 0;
+  const auto tiles = static_cast<std::size_t>(maps.state.tileCount());
+  const auto repair = [&](std::size_t i) -> Status {
+    const Rect rect = maps.state.tileRect(static_cast<int>(i));
+    Tile tile;
+    CUTIS_CHECK(tile.load(maps, rect));
+    const std::size_t spoiled = tile.invalidateSpoiled();
+    if (spoiled == 0) return {};
+    total += spoiled;
+    return tile.store(maps, rect);
+  };
+  CUTIS_CHECK(parallelFor(tiles, {context.stop, {}, {}}, repair));
+  return total.load();
+}
+
+Status zeroWhereNotFinite(Plane& plane, const JobContext& context) {
+  const auto tiles = static_cast<std::size_t>(plane.tileCount());
+  return parallelFor(tiles, {context.stop, {}, {}}, [&](std::size_t i) -> Status {
+    const Rect rect = plane.tileRect(static_cast<int>(i));
+    std::vector<float> values(rect.pixelCount());
+    CUTIS_CHECK(plane.load(rect, values));
+    const auto spoiled = [](float v) { return !std::isfinite(v); };
+    if (std::none_of(values.begin(), values.end(), spoiled)) return {};
+    std::replace_if(values.begin(), values.end(), spoiled, 0.0f);
+    return plane.store(rect, values);
+  });
+}
+
+}  // namespace cutis

@@ -1,0 +1,21 @@
+#pragma once
+
+// What no computation could go on with, taken out of maps that were read. For the files of this
+// folder.
+
+#include <cstddef>
+
+#include "core/base/job_context.h"
+#include "core/base/plane.h"
+#include "core/base/result.h"
+#include "core/skin/chromophore_maps.h"
+
+namespace cutis {
+
+// Pixels with a value that is not finite, or a state that is none, become invalid with values 0.
+// Returns their number.
+Result<std::size_t> invalidateSpoiledPixels(ChromophoreMaps& maps, const JobContext& context);
+
+Status zeroWhereNotFinite(Plane& plane, const JobContext& context);
+
+}  // namespace cutis

@@ -1,0 +1,214 @@
+// Pixels that are no skin, and options at their ends: the answer is finite and inside the box.
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/instruction_set.h"
+#include "core/base/random.h"
+#include "core/fit/population.h"
+#include "core/fit/refined_solver.h"
+#include "core/skin/pixel_state.h"
+#include "tests/core/fit/fit_fixture.h"
+#include "tests/support/expect.h"
+#include "tests/support/models.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+test::PixelSet oddPixels(std::size_t channelCount) {
+  const float huge = 1e6f;
+  const float all[] = {0.0f, 1e-40f, 1e-20f, 1e-6f, 1.0f, 5.0f, huge, 1e18f, 3e38f};
+  std::vector<std::vector<float>> pixels;
+  for (const float value : all) pixels.emplace_back(channelCount, value);  // black … blinding
+  for (const float value : all) {                                          // one channel stands out
+    for (std::size_t k = 0; k < channelCount; ++k) {
+      pixels.emplace_back(channelCount, 0.3f);
+      pixels.back()[k] = value;
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) {  // pure red, green, blue
+    pixels.emplace_back(channelCount, 0.0f);
+    for (std::size_t k = c; k < channelCount; k += 3) pixels.back()[k] = 1.0f;
+  }
+  const float contradictory[] = {0.0f, 1.0f, 5.0f, huge};
+  Random random(21);
+  for (int i = 0; i < 400; ++i) {
+    pixels.emplace_back();
+    for (std::size_t k = 0; k < channelCount; ++k) {
+      pixels.back().push_back(i < 200 ? contradictory[static_cast<int>(random.uniform(0.0, 4.0))]
+                                      : static_cast<float>(random.uniform(0.0, 1.2)));
+    }
+  }
+  return test::pixelsOf(pixels);
+}
+
+// Finite, in the box, and a state that a fit may give.
+bool wellBehaved(const test::Solutions& solutions, std::size_t i) {
+  const ParameterVector p = solutions.at(i);
+  bool good = solutions.states[i] == static_cast<int>(PixelState::solved) ||
+              solutions.states[i] == static_cast<int>(PixelState::noConvergence);
+  for (int k = 0; k < kParameterCount; ++k) {
+    // A float next to the bound may round to just beyond it.
+    const double maximum = test::li2024().profile().axes[std::size_t(k)].maximum;
+    good = good && std::isfinite(p[k]) && p[k] >= 0.0 && p[k] <= maximum * (1.0 + 1e-5);
+  }
+  return good;
+}
+
+Rig aliveAndDead() {
+  Rig rig = test::monitorRig();
+  rig.camera.sensor.sensitivity.row(1).setZero();
+  return rig;
+}
+
+class RefinedExtremesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cleanup() { EXPECT_OK(pinInstructionSet("")); }
+
+  void staysFiniteAndInsideTheBox_data() {
+    QTest::addColumn<QString>("instructionSet");
+    QTest::addColumn<bool>("log");
+    QTest::addColumn<double>("read");
+    QTest::addColumn<double>("proportional");
+    for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) {
+      for (const bool log : {true, false}) {
+        const char* prior = log ? "log" : "linear";
+        QTest::addRow("%s, %s", name, prior) << name << log << 0.0001 << 0.005;
+        QTest::addRow("%s, %s, no read noise", name, prior) << name << log << 0.0 << 0.005;
+        QTest::addRow("%s, %s, read noise only", name, prior) << name << log << 0.001 << 0.0;
+        QTest::addRow("%s, %s, exact", name, prior) << name << log << 0.0 << 0.0;
+        QTest::addRow("%s, %s, hardly any", name, prior) << name << log << 1e-9 << 1e-9;
+      }
+    }
+  }
+  void staysFiniteAndInsideTheBox() {
+    QFETCH(QString, instructionSet);
+    QFETCH(bool, log);
+    QFETCH(double, read);
+    QFETCH(double, proportional);
+    if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
+    FitOptions options;
+    options.noise = NoiseModel{read, proportional};
+    if (!log) options.prior = test::populationPrior();
+    for (const Rig& rig : {test::monitorRig(), test::albedoRig(), aliveAndDead()}) {
+      const auto solver = makeRefinedSolver(test::sharedModel(), rig, options);
+      const test::PixelSet pixels = oddPixels(static_cast<std::size_t>(rig.channelCount()));
+      test::Solutions solutions = test::solve(*solver, pixels);
+      for (std::size_t i = 0; i < pixels.count; ++i) {
+        QVERIFY2(wellBehaved(solutions, i),
+                 qPrintable(QString("pixel %1: %2 %3 %4 %5 %6, state %7")
+                                .arg(i)
+                                .arg(solutions.at(i)[0])
+                                .arg(solutions.at(i)[1])
+                                .arg(solutions.at(i)[2])
+                                .arg(solutions.at(i)[3])
+                                .arg(solutions.at(i)[4])
+                                .arg(int{solutions.states[i]})));
+      }
+      std::vector<float> deviations(solutions.parameters.size(), -1.0f);
+      solver->deviations(
+          {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
+          deviations.data());
+      for (const float value : deviations) QVERIFY(std::isfinite(value) && value >= 0.0f);
+    }
+  }
+
+  void fixedParametersAreExact_data() {
+    QTest::addColumn<bool>("log");
+    QTest::addColumn<bool>("exact");
+    for (const bool log : {true, false}) {
+      QTest::newRow(log ? "log" : "linear") << log << false;
+      QTest::newRow(log ? "log, exact" : "linear, exact") << log << true;
+    }
+  }
+  void fixedParametersAreExact() {
+    QFETCH(bool, log);
+    QFETCH(bool, exact);
+    // The ends of the ranges are the hard ones: there is no logarithm of 0.
+    const double values[] = {0.0, 0.123456789, 1.0};
+    for (int fixed = 0; fixed < kParameterCount; ++fixed) {
+      for (const double share : values) {
+        FitOptions options;
+        if (!log) options.prior = test::populationPrior();
+        if (exact) options.noise = NoiseModel{0.0, 0.0};
+        const auto index = static_cast<std::size_t>(fixed);
+        const double value = share * test::li2024().profile().axes[index].maximum;
+        options.fixed[index] = value;
+        const auto solver = makeRefinedSolver(test::sharedModel(), test::monitorRig(), options);
+        const test::PixelSet pixels = oddPixels(9);
+        const test::Solutions solutions = test::solve(*solver, pixels);
+        std::vector<float> deviations(solutions.parameters.size(), -1.0f);
+        std::vector<float> parameters = solutions.parameters;
+        solver->deviations({pixels.count, pixels.count, pixels.channels.data(), parameters.data()},
+                           deviations.data());
+        for (std::size_t i = 0; i < pixels.count; ++i) {
+          QVERIFY(wellBehaved(solutions, i));
+          QCOMPARE(solutions.parameters[index * pixels.count + i], static_cast<float>(value));
+          QCOMPARE(deviations[index * pixels.count + i], 0.0f);
+        }
+      }
+    }
+  }
+
+  void allParametersMayBeFixed() {
+    FitOptions options;
+    const ParameterVector known = {0.05, 0.5, 0.02, 0.01, 0.0};
+    for (std::size_t k = 0; k < kParameterCount; ++k) options.fixed[k] = known[Eigen::Index(k)];
+    const auto solver = makeRefinedSolver(test::sharedModel(), test::monitorRig(), options);
+    const test::Solutions solutions = test::solve(*solver, oddPixels(9));
+    for (std::size_t i = 0; i < solutions.states.size(); ++i) {
+      QVERIFY(((solutions.at(i) - known).abs() < 1e-8).all());
+    }
+  }
+
+  // A camera that sees nothing at all: what remains is the prior.
+  void aBlindRigGivesThePrior() {
+    Rig rig = test::albedoRig();
+    rig.camera.sensor.sensitivity.setZero();
+    const auto solver = makeRefinedSolver(test::sharedModel(), rig, {});
+    const test::Solutions solutions =
+        test::solve(*solver, test::pixelsOf({{0.2f, 0.3f, 0.4f}, {0.0f, 0.0f, 0.0f}}));
+    const Prior& prior = test::li2024().profile().prior;
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (int k = 0; k < kParameterCount; ++k) {
+        EXPECT_NEAR(solutions.at(i)[k] / prior.mean[k], 1.0, 0.2 * prior.deviation[k]);
+      }
+    }
+  }
+
+  // As many channels as a rig may have.
+  void theLargestRigFits() {
+    Rig rig = test::monitorRig();
+    while (rig.lights.size() < kMaximumLights) {
+      rig.lights.push_back(rig.lights[rig.lights.size() % 3]);
+      rig.lights.back().name += std::to_string(rig.lights.size());
+    }
+    EXPECT_OK(validate(rig, "rig.json"));
+    const auto solver = makeRefinedSolver(test::sharedModel(), rig, {});
+    const auto people = drawPopulation(protocolPopulation(), 100, 23);
+    const test::Solutions solutions = test::solve(*solver, test::simulate(rig, people, 0.005));
+    double error = 0.0;
+    for (std::size_t i = 0; i < people.size(); ++i) {
+      error += test::visibleError(people[i], solutions.at(i)) / 100.0;
+    }
+    EXPECT_AT_MOST(error, 1e-5);
+  }
+
+  void noPixelsAreNoWork() {
+    const auto solver = makeRefinedSolver(test::sharedModel(), test::albedoRig(), {});
+    solver->solve({}, {});
+    solver->deviations({}, nullptr);
+  }
+};
+
+CUTIS_TEST(RefinedExtremesTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "refined_extremes_test.moc"

@@ -1,0 +1,453 @@
+#include <QtTest>
+#include <cmath>
+#include <limits>
+
+#include "src/images/image_file.h"
+#include "tests/src/images/image_fixture.h"
+#include "tests/support/expect.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+using test::ImageFolder;
+using test::makeContent;
+using test::makePlane;
+using test::pixelOf;
+using test::valuesOf;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+Result<Image> read(const std::filesystem::path& path, const JobContext& context = {}) {
+  return readImage(path, PixelFormat::float32, nullptr, context);
+}
+
+float largestDifference(const Plane& a, const Plane& b) {
+  const std::vector<float> va = valuesOf(a), vb = valuesOf(b);
+  float largest = va.size() == vb.size() ? 0.0f : kInfinity;
+  for (std::size_t i = 0; i < std::min(va.size(), vb.size()); ++i) {
+    largest = std::max(largest, std::abs(va[i] - vb[i]));
+  }
+  return largest;
+}
+
+class ImageFileTest : public QObject {
+  Q_OBJECT
+
+  ImageFolder folder_;
+
+ private slots:
+  void roundTrips_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<int>("type");
+    QTest::addColumn<double>("step");  // between neighbouring values
+    const auto row = [](const char* file, SampleType type, double step) {
+      QTest::newRow(qPrintable(QString("%1 %2").arg(file).arg(static_cast<int>(type))))
+          << QString(file) << static_cast<int>(type) << step;
+    };
+    row("a.png", SampleType::uint8, 1.0 / 255);
+    row("b.png", SampleType::uint16, 1.0 / 65535);
+    row("c.tif", SampleType::uint8, 1.0 / 255);
+    row("d.TIFF", SampleType::uint16, 1.0 / 65535);
+    row("e.tif", SampleType::float32, 0.0);
+    row("f.exr", SampleType::half, 1.0 / 1024);
+    row("g.EXR", SampleType::float32, 0.0);
+  }
+  void roundTrips() {
+    QFETCH(QString, file);
+    QFETCH(int, type);
+    QFETCH(double, step);
+    for (const auto& channels : {std::vector<std::string>{"R", "G", "B"},
+                                 std::vector<std::string>{"R", "G", "B", "A"},
+                                 std::vector<std::string>{"Y"}}) {
+      // More than a tile each way, and no multiple of anything.
+      const ImageContent content = makeContent(301, 523, channels);
+      const auto path = folder_.path(file.toStdString());
+      EXPECT_OK(writeImage(path, content, static_cast<SampleType>(type), {}));
+      const auto first = read(path);
+      EXPECT_OK(first);
+      const Image& image = first.value();
+      QCOMPARE(image.width, 301);
+      QCOMPARE(image.height, 523);
+      QVERIFY(image.channelNames == channels);
+      QVERIFY(image.sourceType == static_cast<SampleType>(type));
+      QCOMPARE(image.contentHash.size(), std::size_t{32});
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        EXPECT_AT_MOST(largestDifference(image.channels[c], content.channels[c]), 0.5001 * step);
+      }
+      // What was read once comes back bit for bit.
+      ImageContent again;
+      again.channelNames = image.channelNames;
+      again.channels = image.channels;
+      EXPECT_OK(writeImage(path, again, static_cast<SampleType>(type), {}));
+      const auto second = read(path);
+      EXPECT_OK(second);
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        QVERIFY(valuesOf(second.value().channels[c]) == valuesOf(image.channels[c]));
+      }
+    }
+  }
+
+  void everyIntegerLevelSurvives() {
+    for (const auto& [file, type, levels] :
+         {std::tuple{"levels8.png", SampleType::uint8, 256},
+          std::tuple{"levels8.tif", SampleType::uint8, 256},
+          std::tuple{"levels16.png", SampleType::uint16, 65536},
+          std::tuple{"levels16.tif", SampleType::uint16, 65536}}) {
+      const int side = levels == 256 ? 16 : 256;
+      const auto level = [&](int x, int y) {
+        return static_cast<float>(y * side + x) / static_cast<float>(levels - 1);
+      };
+      ImageContent content;
+      content.channelNames = {"Y"};
+      content.channels = {makePlane(side, side, level)};
+      EXPECT_OK(writeImage(folder_.path(file), content, type, {}));
+      const auto image = read(folder_.path(file));
+      EXPECT_OK(image);
+      QVERIFY(valuesOf(image.value().channels[0]) == valuesOf(content.channels[0]));
+    }
+  }
+
+  void jpegIsClose() {
+    const ImageContent content = makeContent(100, 80, {"R", "G", "B"});
+    EXPECT_OK(writeImage(folder_.path("a.jpg"), content, SampleType::uint8, {}));
+    const auto image = read(folder_.path("a.jpg"));
+    EXPECT_OK(image);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_AT_MOST(largestDifference(image.value().channels[c], content.channels[c]), 0.08);
+    }
+  }
+
+  void integersAreClampedAndRounded() {
+    const std::vector<float> given = {kNan,  kInfinity, -kInfinity, -0.3f, 1.7f,
+                                      0.0f,  1.0f,      0.5f / 255, 0.49f / 255, 254.6f / 255};
+    const std::vector<int> expected = {0, 255, 0, 0, 255, 0, 255, 1, 0, 255};
+    ImageContent content;
+    content.channelNames = {"Y"};
+    content.channels = {makePlane(10, 1, [&](int x, int) { return given[static_cast<std::size_t>(x)]; })};
+    for (const char* file : {"edge.png", "edge.tif"}) {
+      EXPECT_OK(writeImage(folder_.path(file), content, SampleType::uint8, {}));
+      const auto image = read(folder_.path(file));
+      EXPECT_OK(image);
+      for (int x = 0; x < 10; ++x) {
+        EXPECT_NEAR(pixelOf(image.value().channels[0], x, 0) * 255.0f,
+                    expected[static_cast<std::size_t>(x)], 1e-4);
+      }
+    }
+  }
+
+  void floatsAreKeptAsTheyAre() {
+    const std::vector<float> given = {kNan, kInfinity, -kInfinity, -0.25f, 3.5f, 1e-30f, 65504.0f};
+    ImageContent content;
+    content.channelNames = {"R", "G", "B"};
+    const Plane plane =
+        makePlane(7, 1, [&](int x, int) { return given[static_cast<std::size_t>(x)]; });
+    content.channels = {plane, plane, plane};
+    for (const auto& [file, type] : {std::pair{"f.exr", SampleType::float32},
+                                     std::pair{"f.tif", SampleType::float32},
+                                     std::pair{"h.exr", SampleType::half}}) {
+      EXPECT_OK(writeImage(folder_.path(file), content, type, {}));
+      const auto image = read(folder_.path(file));
+      EXPECT_OK(image);
+      for (int x = 0; x < 7; ++x) {
+        const float value = pixelOf(image.value().channels[1], x, 0);
+        const float wanted = given[static_cast<std::size_t>(x)];
+        if (x == 5 && type == SampleType::half) {
+          QCOMPARE(value, 0.0f);
+        } else {
+          QVERIFY(std::isnan(wanted) ? std::isnan(value) : value == wanted);
+        }
+      }
+    }
+  }
+
+  // Nothing is multiplied or divided by alpha, in either direction.
+  void alphaIsLeftAlone() {
+    ImageContent content;
+    content.channelNames = {"R", "G", "B", "A"};
+    for (const float level : {0.8f, 0.4f, 0.2f, 0.0f}) {
+      content.channels.push_back(makePlane(4, 4, [&](int x, int) {
+        return level == 0.0f ? static_cast<float>(x) / 3.0f : level;
+      }));
+    }
+    for (const auto& [file, type] :
+         {std::pair{"a.png", SampleType::uint8}, std::pair{"a.tif", SampleType::uint16},
+          std::pair{"a.exr", SampleType::half}}) {
+      EXPECT_OK(writeImage(folder_.path(file), content, type, {}));
+      const auto image = read(folder_.path(file));
+      EXPECT_OK(image);
+      for (std::size_t c = 0; c < 4; ++c) {
+        EXPECT_AT_MOST(largestDifference(image.value().channels[c], content.channels[c]), 0.002);
+      }
+    }
+  }
+
+  void channelsAreFoundByName() {
+    ImageContent content;
+    content.channelNames = {"zebra", "B", "A", "R", "mask.inner", "G"};
+    for (int c = 0; c < 6; ++c) {
+      content.channels.push_back(
+          makePlane(5, 5, [&](int, int) { return static_cast<float>(c) / 8.0f; }));
+    }
+    EXPECT_OK(writeImage(folder_.path("order.exr"), content, SampleType::float32, {}));
+    const auto image = read(folder_.path("order.exr"));
+    EXPECT_OK(image);
+    QCOMPARE(image.value().channels.size(), std::size_t{6});
+    for (std::size_t c = 0; c < 6; ++c) {
+      const int at = image.value().channelIndex(content.channelNames[c]);
+      QVERIFY(at >= 0);
+      QCOMPARE(pixelOf(image.value().channels[static_cast<std::size_t>(at)], 2, 2),
+               static_cast<float>(c) / 8.0f);
+    }
+    QCOMPARE(image.value().channelIndex("nothing"), -1);
+  }
+
+  void channelsWithoutAPlaceAreLeftOutAndSaid() {
+    ImageContent content;
+    content.channelNames = {"depth", "A", "B", "G", "R"};
+    for (int c = 0; c < 5; ++c) {
+      content.channels.push_back(
+          makePlane(4, 4, [&](int, int) { return static_cast<float>(c) / 5.0f; }));
+    }
+    test::Listener listener;
+    EXPECT_OK(writeImage(folder_.path("few.png"), content, SampleType::uint8, listener.context()));
+    QCOMPARE(listener.sentences.size(), std::size_t{1});
+    const auto png = read(folder_.path("few.png"));
+    EXPECT_OK(png);
+    QVERIFY(png.value().channelNames == (std::vector<std::string>{"R", "G", "B", "A"}));
+    for (const auto& [channel, level] : {std::pair{0, 4}, {1, 3}, {2, 2}, {3, 1}}) {
+      EXPECT_NEAR(pixelOf(png.value().channels[static_cast<std::size_t>(channel)], 1, 1),
+                  level / 5.0, 1e-6);
+    }
+    EXPECT_OK(writeImage(folder_.path("few.jpg"), content, SampleType::uint8, listener.context()));
+    QCOMPARE(read(folder_.path("few.jpg")).value().channels.size(), std::size_t{3});
+    EXPECT_OK(writeImage(folder_.path("all.tif"), content, SampleType::uint8, listener.context()));
+    const auto tiff = read(folder_.path("all.tif"));
+    QCOMPARE(tiff.value().channels.size(), std::size_t{5});
+    EXPECT_NEAR(pixelOf(tiff.value().channels[0], 1, 1), 0.8, 1e-6);  // red first
+    EXPECT_NEAR(pixelOf(tiff.value().channels[4], 1, 1), 0.0, 1e-6);
+  }
+
+  void contentTellsTheKindNotTheName() {
+    const ImageContent content = makeContent(40, 30, {"R", "G", "B"});
+    EXPECT_OK(writeImage(folder_.path("real.png"), content, SampleType::uint16, {}));
+    std::filesystem::rename(folder_.path("real.png"), folder_.path("really_png.jpg"));
+    const auto image = read(folder_.path("really_png.jpg"));
+    EXPECT_OK(image);
+    QVERIFY(image.value().sourceType == SampleType::uint16);
+  }
+
+  void headersAreReadAlone() {
+    const ImageContent content = makeContent(40, 30, {"R", "G", "B"});
+    EXPECT_OK(writeImage(folder_.path("head.exr"), content, SampleType::half, {}));
+    const auto header = readImageHeader(folder_.path("head.exr"), {});
+    EXPECT_OK(header);
+    QCOMPARE(header.value().width, 40);
+    QCOMPARE(header.value().height, 30);
+    QVERIFY(header.value().sourceType == SampleType::half);
+  }
+
+  // Tiles, crops and overscan as other programs write them.
+  void tilesAndWindowsOfOthers() {
+    for (const auto& [tileWidth, tileHeight] : {std::pair{16, 16}, {64, 32}, {512, 16}, {0, 0}}) {
+      OIIO::ImageSpec spec(301, 283, 3, OIIO::TypeFloat);
+      spec.tile_width = tileWidth;
+      spec.tile_height = tileHeight;
+      const std::vector<float> samples = test::noise(301 * 283 * 3);
+      for (const auto& [name, format] : {std::pair{"tiled.exr", "openexr"}, {"tiled.tif", "tiff"}}) {
+        test::writeForeign(folder_.path(name), format, spec, samples);
+        const auto image = read(folder_.path(name));
+        EXPECT_OK(image);
+        for (const auto& [x, y] : {std::pair{0, 0}, {300, 282}, {17, 200}, {256, 256}}) {
+          QCOMPARE(pixelOf(image.value().channels[2], x, y),
+                   samples[static_cast<std::size_t>((y * 301 + x) * 3 + 2)]);
+        }
+      }
+    }
+    OIIO::ImageSpec cropped(60, 50, 3, OIIO::TypeHalf);
+    cropped.x = -10;
+    cropped.y = 30;
+    cropped.full_x = 0;
+    cropped.full_y = 0;
+    cropped.full_width = 100;
+    cropped.full_height = 300;
+    test::writeForeign(folder_.path("crop.exr"), "openexr", cropped,
+                       std::vector<float>(60 * 50 * 3, 0.5f));
+    const auto image = read(folder_.path("crop.exr"));
+    EXPECT_OK(image);
+    QCOMPARE(image.value().width, 100);
+    QCOMPARE(image.value().height, 300);
+    QCOMPARE(pixelOf(image.value().channels[0], 0, 30), 0.5f);
+    QCOMPARE(pixelOf(image.value().channels[0], 49, 79), 0.5f);
+    QCOMPARE(pixelOf(image.value().channels[0], 50, 40), 0.0f);
+    QCOMPARE(pixelOf(image.value().channels[0], 0, 29), 0.0f);
+    QCOMPARE(pixelOf(image.value().channels[0], 0, 80), 0.0f);
+  }
+
+  void otherKindsAreRead() {
+    const std::vector<float> samples(20 * 10 * 3, 0.2f);
+    for (const auto& [name, format, type] :
+         {std::tuple{"a.bmp", "bmp", OIIO::TypeUInt8}, std::tuple{"a.tga", "targa", OIIO::TypeUInt8},
+          std::tuple{"a.hdr", "hdr", OIIO::TypeFloat}}) {
+      test::writeForeign(folder_.path(name), format, OIIO::ImageSpec(20, 10, 3, type), samples);
+      const auto image = read(folder_.path(name));
+      EXPECT_OK(image);
+      EXPECT_NEAR(pixelOf(image.value().channels[1], 19, 9), 0.2, 0.002);
+    }
+  }
+
+  void whatIsNoImageIsTold() {
+    EXPECT_ERROR(read(folder_.path("missing.png")), "there is no such file");
+    EXPECT_ERROR(read(folder_.root()), "this is a folder");
+    test::writeBytes(folder_.path("empty.exr"), {});
+    EXPECT_ERROR(read(folder_.path("empty.exr")), "the file is empty");
+    test::writeBytes(folder_.path("text.png"), "hello, I am a text and no picture");
+    EXPECT_ERROR(read(folder_.path("text.png")), "no image of a kind that is read");
+    test::writeBytes(folder_.path("short.tif"), "I");
+    EXPECT_ERROR(read(folder_.path("short.tif")), "no image of a kind that is read");
+    test::writeBytes(folder_.path("photo.NEF"), QByteArray("II*\0", 4) + QByteArray(100, 'x'));
+    EXPECT_ERROR(read(folder_.path("photo.NEF")), "raw photograph");
+    EXPECT_ERROR(read("/dev/null"), "no plain file");
+  }
+
+  void layoutsThatAreNoPictureAreRefused() {
+    OIIO::ImageSpec deep(4, 4, 4, OIIO::TypeFloat);
+    deep.deep = true;
+    {
+      auto output = OIIO::ImageOutput::create("openexr");
+      QVERIFY(output->open(folder_.path("deep.exr").string(), deep));
+    }
+    const auto result = read(folder_.path("deep.exr"));
+    QVERIFY(result.failed());
+    EXPECT_ERROR(result, "deep");
+    OIIO::ImageSpec many(2, 2, 300, OIIO::TypeHalf);
+    test::writeForeign(folder_.path("many.exr"), "openexr", many,
+                       std::vector<float>(2 * 2 * 300, 0.5f));
+    EXPECT_ERROR(read(folder_.path("many.exr")), "300 channels; at most 256");
+    OIIO::ImageSpec whole(4, 4, 3, OIIO::TypeInt16);
+    test::writeForeign(folder_.path("int16.tif"), "tiff", whole, std::vector<float>(48, 0.5f));
+    EXPECT_ERROR(read(folder_.path("int16.tif")), "int16");
+  }
+
+  // A header that promises far more than there is must cost nothing.
+  void absurdSizesAreRefused() {
+    ImageContent content = makeContent(8, 8, {"R", "G", "B"});
+    EXPECT_OK(writeImage(folder_.path("small.exr"), content, SampleType::half, {}));
+    QByteArray bytes = test::readBytes(folder_.path("small.exr"));
+    for (const char* window : {"dataWindow", "displayWindow"}) {
+      const auto at = bytes.indexOf(QByteArray(window) + QByteArray("\0box2i\0", 7)) +
+                      static_cast<qsizetype>(std::strlen(window)) + 7 + 4;
+      for (const int offset : {8, 12}) bytes.replace(at + offset, 4, QByteArray("\xff\xff\xff\x0f"));
+    }
+    test::writeBytes(folder_.path("absurd.exr"), bytes);
+    QVERIFY(read(folder_.path("absurd.exr")).failed());
+
+    OIIO::ImageSpec wide(40000, 1, 1, OIIO::TypeUInt8);
+    test::writeForeign(folder_.path("wide.tif"), "tiff", wide, std::vector<float>(40000, 0.5f));
+    EXPECT_ERROR(read(folder_.path("wide.tif")), "at most 32768 a side");
+  }
+
+  void formatsSayWhatTheyCannotHold() {
+    const ImageContent content = makeContent(4, 4, {"R", "G", "B"});
+    const auto refused = [&](const char* file, SampleType type) {
+      return writeImage(folder_.path(file), content, type, {});
+    };
+    EXPECT_ERROR(refused("x.png", SampleType::float32), "PNG does not hold samples of type float");
+    EXPECT_ERROR(refused("x.png", SampleType::half), "choose 8 bit, 16 bit");
+    EXPECT_ERROR(refused("x.exr", SampleType::uint8), "choose half, float");
+    EXPECT_ERROR(refused("x.jpg", SampleType::uint16), "JPEG");
+    EXPECT_ERROR(refused("x.tif", SampleType::half), "TIFF");
+    EXPECT_ERROR(refused("x.bmp", SampleType::uint8), ".exr, .tif, .png or .jpg");
+    EXPECT_ERROR(refused("noextension", SampleType::uint8), ".exr, .tif, .png or .jpg");
+    QVERIFY(refused("x.bmp", SampleType::uint8).error().kind == ErrorKind::usage);
+    EXPECT_ERROR(refused("nowhere/x.png", SampleType::uint8), "does not exist");
+    QVERIFY(writableSampleTypes("x.exr").value().front() == SampleType::half);
+  }
+
+  void colorSpacesAreFoundAgain() {
+    ImageContent content = makeContent(4, 4, {"R", "G", "B"});
+    const auto spaceAfter = [&](const char* file, SampleType type, const char* space) {
+      content.colorSpace = space;
+      test::Listener listener;
+      const auto path = folder_.path(file);
+      if (!writeImage(path, content, type, listener.context())) return std::string("not written");
+      const std::string found = readImageHeader(path, {}).value().colorSpace;
+      return listener.sentences.empty() ? found : "said: " + found;
+    };
+    const auto is = [&](const char* file, SampleType type, const char* space, const char* found) {
+      QCOMPARE(spaceAfter(file, type, space), std::string(found));
+    };
+    is("c.exr", SampleType::half, "ACEScg", "ACEScg");
+    is("c.exr", SampleType::half, "sRGB", "sRGB");
+    is("c.exr", SampleType::half, "Linear Rec.709", "Linear Rec.709");
+    is("c.exr", SampleType::half, "", "");
+    is("c.png", SampleType::uint8, "sRGB", "sRGB");
+    is("c.png", SampleType::uint16, "Linear Rec.709", "Linear");
+    is("c.png", SampleType::uint16, "ACEScg", "ACEScg");
+    is("c.tif", SampleType::uint16, "sRGB", "sRGB");
+    is("c.tif", SampleType::float32, "Linear Rec.709", "");
+    is("c.tif", SampleType::float32, "ACEScg", "said: ");
+    is("c.jpg", SampleType::uint8, "sRGB", "sRGB");
+  }
+
+  void primariesOfOthersAreRecognised() {
+    OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeHalf);
+    const float p3[8] = {0.68f, 0.32f, 0.265f, 0.69f, 0.15f, 0.06f, 0.3127f, 0.329f};
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), p3);
+    test::writeForeign(folder_.path("p3.exr"), "openexr", spec, std::vector<float>(48, 0.5f));
+    QCOMPARE(readImageHeader(folder_.path("p3.exr"), {}).value().colorSpace,
+             std::string("Linear P3-D65"));
+    const float odd[8] = {0.8f, 0.2f, 0.3f, 0.6f, 0.1f, 0.1f, 0.33f, 0.33f};
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), odd);
+    test::writeForeign(folder_.path("odd.exr"), "openexr", spec, std::vector<float>(48, 0.5f));
+    QCOMPARE(readImageHeader(folder_.path("odd.exr"), {}).value().colorSpace,
+             std::string("unknown primaries"));
+  }
+
+  void hashesFollowTheBytes() {
+    const ImageContent content = makeContent(20, 20, {"R", "G", "B"});
+    EXPECT_OK(writeImage(folder_.path("h1.png"), content, SampleType::uint8, {}));
+    std::filesystem::copy_file(folder_.path("h1.png"), folder_.path("h2.png"));
+    EXPECT_OK(writeImage(folder_.path("h3.png"), makeContent(20, 20, {"R", "G", "B"}, 7),
+                         SampleType::uint8, {}));
+    const std::string first = read(folder_.path("h1.png")).value().contentHash;
+    QCOMPARE(read(folder_.path("h2.png")).value().contentHash, first);
+    QVERIFY(read(folder_.path("h3.png")).value().contentHash != first);
+  }
+
+  void planesMaySpillAndBeHalf() {
+    const ImageContent content = makeContent(600, 600, {"R", "G", "B"});
+    EXPECT_OK(writeImage(folder_.path("spill.exr"), content, SampleType::half, {}));
+    const auto store = std::make_shared<TileStore>(std::size_t{1} << 18);
+    const auto image = readImage(folder_.path("spill.exr"), PixelFormat::half, store, {});
+    EXPECT_OK(image);
+    QVERIFY(image.value().channels[0].format() == PixelFormat::half);
+    QVERIFY(store->statistics().tilesWritten > 0);
+    EXPECT_AT_MOST(largestDifference(image.value().channels[0], content.channels[0]), 0.0005);
+  }
+
+  void stopsWhenAsked() {
+    const ImageContent content = makeContent(1200, 3000, {"R", "G", "B"});
+    EXPECT_OK(writeImage(folder_.path("long.tif"), content, SampleType::float32, {}));
+    test::Stopper reading;
+    QVERIFY(read(folder_.path("long.tif"), reading.context()).cancelled());
+    for (const auto& [file, type] :
+         {std::pair{"stop.png", SampleType::uint8}, std::pair{"stop.exr", SampleType::float32},
+          std::pair{"stop.tif", SampleType::float32}, std::pair{"stop.jpg", SampleType::uint8}}) {
+      test::Stopper writing;
+      QVERIFY(writeImage(folder_.path(file), content, type, writing.context()).cancelled());
+      QVERIFY(!std::filesystem::exists(folder_.path(file)));
+    }
+    for (const std::string& name : folder_.names()) {
+      QVERIFY2(name.find("partial") == std::string::npos, name.c_str());
+    }
+  }
+};
+
+CUTIS_TEST(ImageFileTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "image_file_test.moc"
