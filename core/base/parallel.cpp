@@ -25,7 +25,8 @@ Status parallelFor(std::size_t count, const JobContext& context,
   std::mutex mutex;
   std::optional<Failure> failure;
   std::atomic<std::size_t> failedPiece = count;  // lowest so far
-  std::atomic<std::size_t> done = 0;
+  std::mutex progressMutex;
+  std::size_t done = 0;
 
   tbb::parallel_for(
       std::size_t{0}, count,
@@ -39,8 +40,11 @@ Status parallelFor(std::size_t count, const JobContext& context,
             failedPiece = i;
             failure = status.failure();
           }
-            return;
+          return;
         }
+        // Counted and reported in one step: a thread that was held up in between would report less
+        // than has been reported already.
+        const std::scoped_lock lock(progressMutex);
         context.progress.report(static_cast<double>(++done) / static_cast<double>(count));
       },
       tbb::simple_partitioner());

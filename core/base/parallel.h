@@ -14,8 +14,9 @@
 namespace cutis {
 
 // Calls work(i) for each i in [0, count), in no particular order, several at once. Reports progress
-// after each piece and stops early when asked to (then Cancelled) or when a piece fails. An
-// allocation that fails inside a piece becomes an Error of kind resource.
+// after each piece, one report at a time and never running backwards, and stops early when asked to
+// (then Cancelled) or when a piece fails. An allocation that fails inside a piece becomes an Error
+// of kind resource.
 Status parallelFor(std::size_t count, const JobContext& context,
                    const std::function<Status(std::size_t)>& work);
 

@@ -20,6 +20,42 @@ constexpr double kDecrement = 1e-10;
 
 }  // namespace
 
+// The lowest point of the quadratic model within the box, by fixing each coordinate that would leave
+// it to its bound and solving again for the others. Clipping the step instead would stall: the
+// others would move as if the clipped ones had, too.
+ParameterVector MapEstimator::stepWithinBox(const ParameterMatrix& hessian,
+                                            const ParameterVector& downhill,
+                                            const ParameterVector& x,
+                                            std::array<bool, kParameterCount> held) const {
+  ParameterVector step = ParameterVector::Zero();
+  for (int attempt = 0; attempt <= kParameterCount; ++attempt) {
+    ParameterMatrix system = hessian;
+    Eigen::Matrix<double, kParameterCount, 1> right = downhill.matrix();
+    for (int i = 0; i < kParameterCount; ++i) {
+      if (held[static_cast<std::size_t>(i)]) right -= hessian.col(i) * step[i];
+    }
+    for (int i = 0; i < kParameterCount; ++i) {
+      if (!held[static_cast<std::size_t>(i)]) continue;
+      system.row(i).setZero();
+      system.col(i).setZero();
+      system(i, i) = 1.0;
+      right[i] = step[i];
+    }
+    step = system.ldlt().solve(right).array();
+    bool crossed = false;
+    for (int i = 0; i < kParameterCount; ++i) {
+      const double target = x[i] + step[i];
+      const double inside = std::clamp(target, low_[i], high_[i]);
+      if (held[static_cast<std::size_t>(i)] || inside == target) continue;
+      step[i] = inside - x[i];
+      held[static_cast<std::size_t>(i)] = true;
+      crossed = true;
+    }
+    if (!crossed) break;
+  }
+  return step;
+}
+
 MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
                            const EstimatorOptions& options)
     : model_(model), nodes_(std::move(nodes)), options_(options) {
@@ -131,26 +167,16 @@ Estimate MapEstimator::solve(const VectorXd& channels, const ParameterVector& st
     bool accepted = false;
     while (!accepted) {
       ParameterMatrix damped = hessian;
-      Eigen::Matrix<double, kParameterCount, 1> right = downhill;
       damped.diagonal() *= 1.0 + damping;
-      for (int i = 0; i < kParameterCount; ++i) {
-        if (!held[static_cast<std::size_t>(i)]) continue;
-        damped.row(i).setZero();
-        damped.col(i).setZero();
-        damped(i, i) = 1.0;
-        right[i] = 0.0;
-      }
-      const ParameterVector step = damped.ldlt().solve(right).array();
-      if ((step * right.array()).sum() < kDecrement || damping > 1e12) {
+      const ParameterVector step = stepWithinBox(damped, downhill.array(), x, held);
+      // What the quadratic model promises.
+      const double decrease =
+          (step * (2.0 * downhill.array() - (damped * step.matrix()).array())).sum();
+      if (decrease < kDecrement || damping > 1e12) {
         estimate.converged = true;
         break;
       }
-      ParameterVector next = x;
-      for (int i = 0; i < kParameterCount; ++i) {
-        if (!held[static_cast<std::size_t>(i)]) {
-          next[i] = std::clamp(x[i] + step[i], low_[i], high_[i]);
-        }
-      }
+      const ParameterVector next = (x + step).max(low_).min(high_);
       const double value = cost(channels, precision, next);
       if (value <= current) {
         x = next;

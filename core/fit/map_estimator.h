@@ -68,6 +68,10 @@ class MapEstimator {
   double cost(const Eigen::VectorXd& channels, const Eigen::VectorXd& precision,
               const ParameterVector& coordinates) const;
 
+  ParameterVector stepWithinBox(const ParameterMatrix& hessian, const ParameterVector& downhill,
+                                const ParameterVector& x,
+                                std::array<bool, kParameterCount> held) const;
+
   const SkinModel& model_;
   SpectralNodes nodes_;
   EstimatorOptions options_;

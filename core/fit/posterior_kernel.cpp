@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/fit/linearise-inl.h"
+#include "core/skin/partial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -22,12 +23,12 @@ void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch
     V channels[kMaximumFitChannels];
     V precision[kMaximumFitChannels];
     for (std::size_t k = 0; k < problem.channelCount; ++k) {
-      channels[k] = hn::MaskedLoad(inside, d, batch.channels + k * batch.stride + i);
+      channels[k] = LoadFirst(d, batch.channels + k * batch.stride + i, live);
       precision[k] = ChannelPrecision(d, problem, channels[k]);
     }
     V point[kParameterCount];
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      point[k] = hn::MaskedLoad(inside, d, batch.coordinates + k * batch.stride + i);
+      point[k] = LoadFirst(d, batch.coordinates + k * batch.stride + i, live);
     }
     V modelled[kMaximumFitChannels][kLinearColumns];
     ModelWithDerivatives(d, problem, PointOf(d, problem, point), modelled);
@@ -44,8 +45,8 @@ void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch
       V column[kParameterCount];
       factor.Solve(d, unit, column);
       const V deviation = problem.isFixed[k] ? hn::Zero(d) : hn::Sqrt(column[k]);
-      hn::BlendedStore(deviation, inside, d,
-                       batch.deviations + static_cast<std::size_t>(k) * batch.stride + i);
+      StoreFirst(d, deviation, batch.deviations + static_cast<std::size_t>(k) * batch.stride + i,
+                 live);
     }
   }
 }

@@ -19,12 +19,14 @@ namespace {
 
 // A pixel is done when the next step would lower its cost by less than this: the step it then takes
 // leaves a few hundredths of a posterior deviation.
-constexpr double kTolerance = 0.1;
+constexpr double kTolerance = 0.02;
 constexpr double kExactTolerance = 1e-9;
-constexpr int kMaximumRounds = 40;
+constexpr int kMaximumRounds = 100;
+constexpr int kExactMaximumRounds = 400;
 constexpr double kNodeTolerance = 1e-5;
 constexpr double kExactNodeTolerance = 1e-6;
-// Standing in for "none" where no noise is asked for.
+// The least noise that is assumed: stands in for "none" where none is asked for, and for read noise
+// in channels that are all but black, whose proportional noise would be nothing.
 constexpr double kExactNoise = 1e-6;
 // The log scale ends here, as a share of the parameter's range: far below what can be measured.
 constexpr double kSmallestShare = 1e-7;
@@ -94,7 +96,7 @@ class ProblemData {
 };
 
 NoiseModel effectiveNoise(const NoiseModel& noise) {
-  return noise.isExact() ? NoiseModel{kExactNoise, 0.0} : noise;
+  return {std::max(noise.read, kExactNoise), noise.proportional};
 }
 
 class RefinedSolver final : public PixelSolver {
@@ -116,6 +118,7 @@ class RefinedSolver final : public PixelSolver {
       double_ = std::make_unique<ProblemData<double>>(*model_, channelModel().nodes(), prior_,
                                                       noise_, options);
       double_->problem().tolerance = kExactTolerance;
+      double_->problem().maximumRounds = kExactMaximumRounds;
     }
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The table searches as pixel solvers.
+// The table searches as pixel solvers, through their exact indices.
 
 #include <memory>
 

@@ -103,7 +103,7 @@ void TableSearch::fullSearch(std::span<const SearchFeatures> queries,
   for (std::size_t begin = 0; begin < table_->size(); begin += kChunk) {
     for (std::size_t q = 0; q < queries.size(); ++q) {
       NearestArguments arguments =
-          argumentsFor(queries[q], firstOf(kAllFeatures, hasNarrowband()));
+          argumentsFor(queries[q], fullFeatures());
       arguments.first = begin;
       arguments.blockSize = std::min(kChunk, table_->size() - begin);
       best[q] = nearestOf(arguments, best[q]);
@@ -112,30 +112,50 @@ void TableSearch::fullSearch(std::span<const SearchFeatures> queries,
   for (std::size_t q = 0; q < queries.size(); ++q) entries[q] = best[q].index;
 }
 
-std::size_t TableSearch::threeStage(const SearchFeatures& query, int caroteneSample) const {
-  const auto samples = [&](Parameter parameter) {
-    return static_cast<std::size_t>(
-        table_->axes()[static_cast<std::size_t>(parameter)].samples);
-  };
-  const std::size_t haemoglobins = samples(kHaemoglobinDermal) * samples(kHaemoglobinEpidermal);
-  const std::size_t perMelanin = haemoglobins * samples(kCarotene);
+std::size_t TableSearch::sampleCount(Parameter parameter) const {
+  return static_cast<std::size_t>(table_->axes()[static_cast<std::size_t>(parameter)].samples);
+}
 
-  NearestArguments arguments = argumentsFor(query, firstOf(kWhiteAndBlue, hasNarrowband()));
+std::size_t TableSearch::threeStage(const SearchFeatures& query, int caroteneSample) const {
+  return laterStages(query, firstStage(query, caroteneSample));
+}
+
+std::size_t TableSearch::firstStage(const SearchFeatures& query, int caroteneSample) const {
+  const std::size_t haemoglobins =
+      sampleCount(kHaemoglobinDermal) * sampleCount(kHaemoglobinEpidermal);
+  NearestArguments arguments = argumentsFor(query, firstStageFeatures());
   arguments.first = static_cast<std::size_t>(caroteneSample) * haemoglobins;
   arguments.blockSize = haemoglobins;
-  arguments.blockStride = perMelanin;
-  arguments.blockCount = samples(kMelanin) * samples(kMelaninBlend);
-  const std::size_t melanin = nearestOf(arguments, {}).index / perMelanin * perMelanin;
+  arguments.blockStride = haemoglobins * sampleCount(kCarotene);
+  arguments.blockCount = sampleCount(kMelanin) * sampleCount(kMelaninBlend);
+  return nearestOf(arguments, {}).index;
+}
 
-  arguments.first = melanin;
+std::size_t TableSearch::laterStages(const SearchFeatures& query, std::size_t firstEntry) const {
+  const std::size_t haemoglobins =
+      sampleCount(kHaemoglobinDermal) * sampleCount(kHaemoglobinEpidermal);
+  const std::size_t perMelanin = haemoglobins * sampleCount(kCarotene);
+  NearestArguments arguments = argumentsFor(query, firstStageFeatures());
+  arguments.first = firstEntry / perMelanin * perMelanin;
   arguments.blockSize = perMelanin;
-  arguments.blockCount = 1;
   const std::size_t carotene = nearestOf(arguments, {}).index / haemoglobins * haemoglobins;
 
   arguments = argumentsFor(query, firstOf(kWhiteAndGreen, hasNarrowband()));
   arguments.first = carotene;
   arguments.blockSize = haemoglobins;
   return nearestOf(arguments, {}).index;
+}
+
+std::span<const int> TableSearch::fullFeatures() const {
+  return firstOf(kAllFeatures, hasNarrowband());
+}
+
+std::span<const int> TableSearch::firstStageFeatures() const {
+  return firstOf(kWhiteAndBlue, hasNarrowband());
+}
+
+std::span<const float> TableSearch::featureOfEntries(int feature) const {
+  return std::span(features_[static_cast<std::size_t>(feature)]).first(table_->size());
 }
 
 int TableSearch::mostFrequentCarotene(const SkinModel& model, const Rig& rig, int count) const {

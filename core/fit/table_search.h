@@ -21,6 +21,7 @@
 #include "core/fit/skin_table.h"
 #include "core/rig/narrowband.h"
 #include "core/rig/rig.h"
+#include "core/skin/skin_model.h"
 
 namespace cutis {
 
@@ -50,11 +51,22 @@ class TableSearch {
   // haemoglobins. About 40 µs.
   std::size_t threeStage(const SearchFeatures& query, int caroteneSample) const;
 
+  // The entry of the first stage alone, and what the other two make of one.
+  std::size_t firstStage(const SearchFeatures& query, int caroteneSample) const;
+  std::size_t laterStages(const SearchFeatures& query, std::size_t firstEntry) const;
+
+  // Indices into SearchFeatures that a search compares: all, and those of white and blue.
+  std::span<const int> fullFeatures() const;
+  std::span<const int> firstStageFeatures() const;
+  // One feature of all entries.
+  std::span<const float> featureOfEntries(int feature) const;
+
   // The carotene sample that full search finds most often over the population of the error protocol
   // (`count` simulated pixels): what the first stage fixes. Of equals the lowest.
   int mostFrequentCarotene(const SkinModel& model, const Rig& rig, int count) const;
 
  private:
+  std::size_t sampleCount(Parameter parameter) const;
   NearestArguments argumentsFor(const SearchFeatures& query, std::span<const int> features) const;
 
   std::shared_ptr<const SkinTable> table_;

@@ -75,7 +75,7 @@ Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
   for (const std::string& name : names) {
     const int index = rig.lightIndex(name);
     if (index < 0) {
-      return usageError(place, "rig '" + rig.name + "' has no light '" + name + "'; it has " +
+      return inputError(place, "rig '" + rig.name + "' has no light '" + name + "'; it has " +
                                    lightList(rig));
     }
     if (selected.lightIndex(name) >= 0) {

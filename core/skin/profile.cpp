@@ -9,6 +9,11 @@
 namespace cutis {
 namespace {
 
+// Twenty times the paper's table; 40 MB per channel.
+constexpr double kMaximumTableEntries = 1e7;
+// Far beyond any pigment; products of such numbers still fit into single precision.
+constexpr double kMaximumAbsorptionPerMm = 1e6;
+
 bool isFraction(double value) { return value >= 0.0 && value <= 1.0; }
 
 Status require(bool condition, const std::string& place, const std::string& field,
@@ -37,7 +42,10 @@ Status validateParameters(const Profile& profile, const std::string& place) {
                             std::isfinite(profile.prior.deviation[parameter]),
                         place, "prior.sd." + name, "positive"));
   }
-  return {};
+  double entries = 1.0;
+  for (const ParameterAxis& axis : profile.axes) entries *= axis.samples;
+  return require(entries <= kMaximumTableEntries, place, "the product of all parameters.*.samples",
+                 "at most 10 million, the entries of the largest table of skin");
 }
 
 Status validateAbsorption(const Profile& profile, const std::string& place) {
@@ -47,20 +55,25 @@ Status validateAbsorption(const Profile& profile, const std::string& place) {
                       "between 0 and 1"));
   CUTIS_CHECK(require(isFraction(profile.dermalWater), place, "dermis.water_fraction",
                       "between 0 and 1"));
+  CUTIS_CHECK(require(profile.baseline.decayNm > 0.0, place, "absorption.baseline.decay_nm",
+                      "positive"));
   const EpidermalAbsorption epidermis = epidermalAbsorption(profile);
   const DermalAbsorption dermis = dermalAbsorption(profile);
-  // Absorption is linear in each concentration, so its minimum is at a corner of the box.
+  // Absorption is linear in each concentration, so its extremes are at corners of the box.
   for (int corner = 0; corner < 1 << kParameterCount; ++corner) {
     ParameterVector parameters;
     for (int k = 0; k < kParameterCount; ++k) {
       parameters[k] = (corner >> k & 1) != 0 ? profile.axes[static_cast<std::size_t>(k)].maximum : 0.0;
     }
     for (int i = 0; i < kSampleCount; ++i) {
-      const double least = std::min(epidermalAbsorptionAt(epidermis, i, parameters),
-                                    dermalAbsorptionAt(dermis, i, parameters));
-      CUTIS_CHECK(require(least >= 0.0, place, "absorption",
-                          "positive over the whole parameter range, and is not at " +
-                              std::to_string(kFirstWavelengthNm + i * kWavelengthStepNm) + " nm"));
+      const std::string where = " over the whole parameter range, and is not at " +
+                                std::to_string(kFirstWavelengthNm + i * kWavelengthStepNm) + " nm";
+      for (const double absorption : {epidermalAbsorptionAt(epidermis, i, parameters),
+                                      dermalAbsorptionAt(dermis, i, parameters)}) {
+        CUTIS_CHECK(require(absorption < kMaximumAbsorptionPerMm, place, "absorption",
+                            "below a million per mm" + where));
+        CUTIS_CHECK(require(absorption >= 0.0, place, "absorption", "positive" + where));
+      }
     }
   }
   return {};

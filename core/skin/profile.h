@@ -62,7 +62,8 @@ struct Profile {
 };
 
 // Checks what the equations need: positive ranges and scattering, fractions within [0, 1], finite
-// numbers, an epidermis thick enough for its layer optics. `place` names the source in the error.
+// numbers, an epidermis thick enough for its layer optics; and that a table of its samples fits into
+// memory. `place` names the source in the error.
 Status validate(const Profile& profile, const std::string& place);
 
 // Identifies everything that changes a reflectance or a table: equal fingerprints, equal results.

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/skin/diffusion-inl.h"
+#include "core/skin/partial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -20,16 +21,9 @@ HWY_NOINLINE void Batch(const BatchArguments<T>& arguments) {
   for (std::size_t i = 0; i < arguments.count; i += lanes) {
     const std::size_t live = arguments.count - i < lanes ? arguments.count - i : lanes;
     const auto load = [&](int k) HWY_ATTR {
-      if (live == lanes) return hn::LoadU(d, arguments.parameters[k] + i);
-      return hn::MaskedLoad(hn::FirstN(d, live), d, arguments.parameters[k] + i);
+      return LoadFirst(d, arguments.parameters[k] + i, live);
     };
-    const auto store = [&](V value, T* to) HWY_ATTR {
-      if (live == lanes) {
-        hn::StoreU(value, d, to);
-      } else {
-        hn::BlendedStore(value, hn::FirstN(d, live), d, to);
-      }
-    };
+    const auto store = [&](V value, T* to) HWY_ATTR { StoreFirst(d, value, to, live); };
     const V melanin = load(kMelanin);
     const V melaninEu = hn::Mul(melanin, load(kMelaninBlend));
     const V bloodDermal = load(kHaemoglobinDermal);

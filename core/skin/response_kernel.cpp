@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/skin/diffusion-inl.h"
+#include "core/skin/partial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -20,8 +21,7 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
   for (std::size_t i = 0; i < arguments.count; i += lanes) {
     const std::size_t live = arguments.count - i < lanes ? arguments.count - i : lanes;
     const auto load = [&](int k) HWY_ATTR {
-      if (live == lanes) return hn::LoadU(d, arguments.parameters[k] + i);
-      return hn::MaskedLoad(hn::FirstN(d, live), d, arguments.parameters[k] + i);
+      return LoadFirst(d, arguments.parameters[k] + i, live);
     };
     const V melanin = load(kMelanin);
     const V melaninEu = hn::Mul(melanin, load(kMelaninBlend));
@@ -44,11 +44,7 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
       weights += arguments.weightStride;
     }
     for (std::size_t k = 0; k < kRows; ++k) {
-      if (live == lanes) {
-        hn::StoreU(sums[k], d, arguments.out[k] + i);
-      } else {
-        hn::BlendedStore(sums[k], hn::FirstN(d, live), d, arguments.out[k] + i);
-      }
+      StoreFirst(d, sums[k], arguments.out[k] + i, live);
     }
   }
 }

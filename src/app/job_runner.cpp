@@ -36,9 +36,12 @@ JobRunner::JobRunner(QObject* parent) : QObject(parent) {
   connect(&progressTimer_, &QTimer::timeout, this, &JobRunner::reportProgress);
 }
 
-JobRunner::~JobRunner() {
+JobRunner::~JobRunner() { stopAll(); }
+
+void JobRunner::stopAll() {
   for (const auto& job : jobs_) job->stop.request_stop();
   for (const auto& job : jobs_) job->thread.join();
+  jobs_.clear();
 }
 
 JobId JobRunner::start(const QString& name, std::function<void(const Handle&)> work) {
@@ -82,7 +85,7 @@ JobId JobRunner::launch(const QString& name, bool quiet, std::function<void(cons
   });
   jobs_.push_back(std::move(job));
   if (!quiet) {
-    emit started(id, name);
+    Q_EMIT started(id, name);
     progressTimer_.start();
   }
   return id;
@@ -93,7 +96,7 @@ void JobRunner::cancel(JobId id) {
   if (job == nullptr || job->cancelled) return;
   job->cancelled = true;
   job->stop.request_stop();
-  if (!job->quiet) emit finished(id);
+  if (!job->quiet) Q_EMIT finished(id);
 }
 
 bool JobRunner::isBusy() const {
@@ -127,7 +130,7 @@ void JobRunner::reportProgress() {
     const double seconds = static_cast<double>(job->since.elapsed()) * 1e-3;
     const double left =
         fraction < kEnoughToEstimate ? -1.0 : seconds * (1.0 - fraction) / fraction;
-    emit progressed(job->id, stage, fraction, left);
+    Q_EMIT progressed(job->id, stage, fraction, left);
   }
 }
 
@@ -138,9 +141,9 @@ void JobRunner::retire(JobId id) {
   const std::unique_ptr<Job> job = std::move(*found);
   jobs_.erase(found);
   job->thread.join();  // its last act was to call this
-  if (!job->quiet && !job->cancelled) emit finished(id);
+  if (!job->quiet && !job->cancelled) Q_EMIT finished(id);
   if (!isBusy()) progressTimer_.stop();
-  if (isIdle()) emit idle();
+  if (isIdle()) Q_EMIT idle();
 }
 
 JobRunner::Job* JobRunner::find(JobId id) const {

@@ -4,7 +4,7 @@
 //
 // A job runs on a thread of its own and hands results to the interface thread with post(). It is told
 // to stop and then left alone: the interface never waits for it. What an older job posts after it was
-// cancelled is dropped. The runner's destructor stops and joins all.
+// cancelled is dropped.
 //
 // Lives on the interface thread; all signals arrive there.
 
@@ -46,12 +46,16 @@ class JobRunner : public QObject {
   // Returns at once; nothing of the job arrives after this. Unknown and finished jobs are ignored.
   void cancel(JobId id);
 
+  // Stops all jobs and waits for them; nothing of them arrives after this. For the owner of what jobs
+  // work on, before it goes.
+  void stopAll();
+
   // Whether a job runs that is neither cancelled nor quiet / that is not cancelled.
   bool isBusy() const;
   bool isIdle() const;
   bool isRunning(JobId id) const;
 
- signals:
+ Q_SIGNALS:
   void started(cutis::JobId id, const QString& name);
   // At most 30 times a second. secondsLeft is negative while there is no estimate.
   void progressed(cutis::JobId id, const QString& stage, double fraction, double secondsLeft);

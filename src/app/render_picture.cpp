@@ -87,6 +87,28 @@ Result<ChromophoreMaps> editMaps(const ChromophoreMaps& maps, const EditStack& e
   return edited;
 }
 
+Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const ChromophoreMaps& maps,
+                                     const EditStack& edits, const ParameterAxes& axes,
+                                     const ResponseModel& albedo, bool pure, const Rect& rect,
+                                     int step) {
+  CUTIS_TRY(edited, renderPart(maps, edits, axes, albedo, rect, step));
+  CUTIS_TRY(original, renderPart(maps, {}, axes, albedo, rect, step));
+  for (std::size_t k = 0; k < source.channels.size(); ++k) {
+    std::vector<float>& pixels = source.channels[k];
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      if (!edited.present[i]) continue;
+      const float model = std::max(original.channels[k][i], kSmallestAlbedo);
+      const float changed = std::max(edited.channels[k][i], kSmallestAlbedo);
+      if (pure) {
+        pixels[i] = edited.channels[k][i];
+      } else if (changed != model) {
+        pixels[i] *= changed / model;
+      }
+    }
+  }
+  return source;
+}
+
 Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source,
                                       const ChromophoreMaps& maps, const EditStack& edits,
                                       const ParameterAxes& axes, const ResponseModel& albedo,
@@ -94,23 +116,14 @@ Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source,
                                       const JobContext& context) {
   std::vector<Plane> planes = makePlanes(3, maps, store);
   CUTIS_CHECK(forEachTile(maps, context, [&](const Rect& rect) -> Status {
-    CUTIS_TRY(edited, renderPart(maps, edits, axes, albedo, rect, 1));
-    CUTIS_TRY(original, renderPart(maps, {}, axes, albedo, rect, 1));
-    std::vector<float> pixels(rect.pixelCount());
+    PictureBuffer part;
+    part.channels.assign(planes.size(), std::vector<float>(rect.pixelCount()));
     for (std::size_t k = 0; k < planes.size(); ++k) {
-      CUTIS_CHECK(source[k].load(rect, pixels));
-      for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (!edited.present[i]) continue;
-        const float model = std::max(original.channels[k][i], kSmallestAlbedo);
-        const float changed = std::max(edited.channels[k][i], kSmallestAlbedo);
-        // Equal models leave the source as it is, to the last bit.
-        if (pure) {
-          pixels[i] = edited.channels[k][i];
-        } else if (changed != model) {
-          pixels[i] *= changed / model;
-        }
-      }
-      CUTIS_CHECK(planes[k].store(rect, pixels));
+      CUTIS_CHECK(source[k].load(rect, part.channels[k]));
+    }
+    CUTIS_TRY(edited, editAlbedoPart(std::move(part), maps, edits, axes, albedo, pure, rect, 1));
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      CUTIS_CHECK(planes[k].store(rect, edited.channels[k]));
     }
     return {};
   }));

@@ -42,8 +42,15 @@ Result<ChromophoreMaps> editMaps(const ChromophoreMaps& maps, const EditStack& e
 
 // Edited albedo: source × model edited ÷ model original, channel by channel in linear Rec.709, so
 // that hair, pores and make-up survive; pixels without an estimate keep the source. With `pure` the
-// edited model alone replaces the source where there is an estimate. source: three planes, linear
-// Rec.709. albedo: the picture under D65.
+// edited model alone replaces the source where there is an estimate. Pixels that the edits leave
+// alone keep the source to the last bit. albedo: the picture under D65. source: three channels,
+// linear Rec.709, of the same part.
+Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const ChromophoreMaps& maps,
+                                     const EditStack& edits, const ParameterAxes& axes,
+                                     const ResponseModel& albedo, bool pure, const Rect& rect,
+                                     int step);
+
+// The same for the whole picture; source: three planes.
 Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source,
                                       const ChromophoreMaps& maps, const EditStack& edits,
                                       const ParameterAxes& axes, const ResponseModel& albedo,

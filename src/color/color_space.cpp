@@ -26,7 +26,7 @@ Result<Found> find(const std::string& name, const std::string& place) {
     found.config = config;
     return found;
   }
-  return usageError(place, "unknown colour space '" + name + "'; " +
+  return inputError(place, "unknown colour space '" + name + "'; " +
                                suggestName(name, colorSpaceNames()));
 }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 #include "src/files/platform.h"
 
@@ -16,10 +17,21 @@ fs::path folderOf(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+// The first `bytes` of a name or fewer, cut between two characters of UTF-8.
+std::string shortened(std::string name, std::size_t bytes) {
+  if (name.size() <= bytes) return name;
+  while (bytes > 0 && (static_cast<unsigned char>(name[bytes]) & 0xC0) == 0x80) --bytes;
+  name.resize(bytes);
+  return name;
+}
+
+// A name may have 255 bytes, and what the file's own is given here must fit in as well. No writer
+// knows an extension as long as that.
 fs::path temporaryBeside(const fs::path& path) {
   static std::atomic<unsigned> serial = 0;
-  const std::string name = "." + path.stem().string() + "-" + std::to_string(processId()) + "-" +
-                           std::to_string(serial++) + ".partial" + path.extension().string();
+  const std::string name = "." + shortened(path.stem().string(), 100) + "-" +
+                           std::to_string(processId()) + "-" + std::to_string(serial++) +
+                           ".partial" + shortened(path.extension().string(), 100);
   return folderOf(path) / name;
 }
 
@@ -48,7 +60,11 @@ Status checkWritable(const fs::path& path) {
     return resourceError(path.string(), "the folder '" + folder.string() +
                                             "' does not exist; create it or write elsewhere");
   }
-  if (fs::is_directory(path, error)) {
+  const bool isFolder = fs::is_directory(path, error);
+  if (error == std::errc::filename_too_long) {
+    return resourceError(path.string(), "the name is too long for the disk; choose a shorter one");
+  }
+  if (isFolder) {
     return resourceError(path.string(), "this is a folder; name a file to write");
   }
   if (!folderIsWritable(folder)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <nlohmann/json.hpp>
 
@@ -17,13 +18,14 @@ struct TextPosition {
   std::size_t column = 1;
 };
 
+// Columns count characters, as editors do: in UTF-8 all bytes but those that continue one.
 TextPosition positionOf(std::string_view text, std::size_t byte) {
   TextPosition position;
   for (std::size_t i = 0; i < std::min(byte, text.size()); ++i) {
     if (text[i] == '\n') {
       ++position.line;
       position.column = 1;
-    } else {
+    } else if ((static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) {
       ++position.column;
     }
   }
@@ -106,8 +108,10 @@ Result<double> JsonValue::number(const std::string& key, double fallback) const 
 Result<int> JsonValue::integer(const std::string& key) const {
   const json* field = find(key);
   if (field == nullptr || !field->is_number_integer()) return error(key, "a whole number");
+  // Beyond 2⁶³ the library holds it without a sign, and would turn it round on the way to one.
+  const bool huge = field->is_number_unsigned() && field->get<std::uint64_t>() > INT32_MAX;
   const auto wide = field->get<std::int64_t>();
-  if (wide < INT32_MIN || wide > INT32_MAX) return error(key, "a smaller whole number");
+  if (huge || wide < INT32_MIN || wide > INT32_MAX) return error(key, "a smaller whole number");
   return static_cast<int>(wide);
 }
 

@@ -114,7 +114,7 @@ Status keepLights(const std::vector<std::string>& wanted, CaptureManifest& manif
   }
   for (const std::string& name : wanted) {
     if (std::find(there.begin(), there.end(), name) == there.end()) {
-      return usageError("--lights", "the capture has no photograph under '" + name + "'; " +
+      return inputError("--lights", "the capture has no photograph under '" + name + "'; " +
                                         suggestName(name, there));
     }
   }

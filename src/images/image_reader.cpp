@@ -6,6 +6,7 @@
 #include "core/base/parallel.h"
 #include "src/images/oiio_text.h"
 #include "src/images/png_check.h"
+#include "src/images/tiff_check.h"
 
 namespace cutis {
 namespace {
@@ -248,6 +249,7 @@ Result<std::vector<Plane>> ImageReader::read(const ImagePart& part, std::span<co
   if (kind_ == ImageFileKind::png) {
     CUTIS_CHECK(checkPngChunks(place_, PngExtent::whole, context));
   }
+  if (kind_ == ImageFileKind::tiff) CUTIS_CHECK(checkTiffExtent(place_));
   CUTIS_TRY(chunks, divide(part));
   std::vector<Plane> planes;
   for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -14,7 +14,8 @@
 // cutis:exposure, cutis:sources (JSON list of file and hash), cutis:source_colorspace.
 //
 // Channels are found by name. A pixel whose values are not finite is read as invalid, with a notice;
-// a deviation, residual or shading that is not finite is read as 0. Errors are sentences about the
+// a deviation, residual or shading that is not finite is read as 0. Pixels that another program
+// cropped away (the data window is smaller than the display window) are read as masked. Errors are sentences about the
 // file.
 
 #include <filesystem>

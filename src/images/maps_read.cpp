@@ -63,6 +63,13 @@ Status checkSize(const ImagePart& part, const ImagePart& first, const std::strin
                                std::to_string(first.height()) + "; fit the image again");
 }
 
+// What is stored of a part, in pixels of the picture.
+Rect storedIn(const ImagePart& part) {
+  const int x0 = part.window.x0, y0 = part.window.y0;
+  const Rect& stored = part.stored;
+  return {stored.x0 - x0, stored.y0 - y0, stored.x1 - x0, stored.y1 - y0};
+}
+
 Result<std::vector<int>> channelsNamed(const ImagePart& part, const std::vector<std::string>& names,
                                        const std::string& place) {
   std::vector<int> channels;
@@ -176,6 +183,8 @@ class MapsReader {
     // Small whole numbers: a half holds them.
     CUTIS_TRY(states, readNamed(*state, {"state"}, PixelFormat::half, context_.child(0.5, 0.6)));
     maps.state = states.front();
+    const Rect stored = intersection(storedIn(*first_), storedIn(*state));
+    CUTIS_CHECK(maskOutside(stored, maps, context_));
     CUTIS_TRY(spoiled, invalidateSpoiledPixels(maps, context_));
     if (spoiled > 0) {
       context_.say(reader_.place() + ": " + std::to_string(spoiled) +

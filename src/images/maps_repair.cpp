@@ -51,6 +51,17 @@ struct Tile {
     }
     return spoiled;
   }
+
+  void maskOutside(const Rect& stored, const Rect& rect) {
+    std::size_t p = 0;
+    for (int y = rect.y0; y < rect.y1; ++y) {
+      for (int x = rect.x0; x < rect.x1; ++x, ++p) {
+        if (stored.contains(x, y)) continue;
+        state[p] = static_cast<float>(PixelState::masked);
+        for (auto& v : values) v[p] = 0.0f;
+      }
+    }
+  }
 };
 
 }  // namespace
@@ -69,6 +80,18 @@ Result<std::size_t> invalidateSpoiledPixels(ChromophoreMaps& maps, const JobCont
   };
   CUTIS_CHECK(parallelFor(tiles, {context.stop, {}, {}}, repair));
   return total.load();
+}
+
+Status maskOutside(const Rect& stored, ChromophoreMaps& maps, const JobContext& context) {
+  const auto tiles = static_cast<std::size_t>(maps.state.tileCount());
+  return parallelFor(tiles, {context.stop, {}, {}}, [&](std::size_t i) -> Status {
+    const Rect rect = maps.state.tileRect(static_cast<int>(i));
+    if (intersection(rect, stored) == rect) return {};
+    Tile tile;
+    CUTIS_CHECK(tile.load(maps, rect));
+    tile.maskOutside(stored, rect);
+    return tile.store(maps, rect);
+  });
 }
 
 Status zeroWhereNotFinite(Plane& plane, const JobContext& context) {

@@ -16,6 +16,9 @@ namespace cutis {
 // Returns their number.
 Result<std::size_t> invalidateSpoiledPixels(ChromophoreMaps& maps, const JobContext& context);
 
+// Pixels outside `stored`, which a compositing program cropped away, become masked with values 0.
+Status maskOutside(const Rect& stored, ChromophoreMaps& maps, const JobContext& context);
+
 Status zeroWhereNotFinite(Plane& plane, const JobContext& context);
 
 }  // namespace cutis

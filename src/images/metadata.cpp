@@ -19,7 +19,7 @@ namespace {
 constexpr char kColorProfile[] = "ICCProfile";
 constexpr std::size_t kLongestName = 128;
 constexpr int kLargestValueBytes = 1 << 16;
-constexpr int kLargestProfileBytes = 1 << 24;
+constexpr std::size_t kLargestProfileBytes = std::size_t{1} << 24;
 constexpr std::size_t kMostValues = 1024;
 
 // What OpenImageIO and its formats say of the file itself, and our own attributes.
@@ -49,6 +49,20 @@ bool isPrintable(std::string_view name) {
   return !name.empty() && name.size() <= kLongestName &&
          std::all_of(name.begin(), name.end(),
                      [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
+}
+
+// As far as libpng looks at it (ICC.1:2010, §7.2): its length, its mark and the illuminant, which is
+// D50 in every profile. libpng tells of others on stderr, and refuses to write the file.
+bool isSoundProfile(const OIIO::ParamValue& value) {
+  constexpr std::size_t kHeaderBytes = 128;
+  constexpr std::string_view kMark = "acsp";
+  constexpr std::string_view kD50("\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d", 12);
+  const std::string_view bytes(static_cast<const char*>(value.data()),
+                               static_cast<std::size_t>(value.datasize()));
+  if (bytes.size() <= kHeaderBytes || bytes.size() > kLargestProfileBytes) return false;
+  std::size_t length = 0;
+  for (const char byte : bytes.substr(0, 4)) length = length << 8 | static_cast<unsigned char>(byte);
+  return length == bytes.size() && bytes.substr(36, 4) == kMark && bytes.substr(68, 12) == kD50;
 }
 
 std::size_t bytesOf(const OIIO::ParamValue& value) {
@@ -84,7 +98,7 @@ ImageMetadata MetadataAccess::from(const OIIO::ImageSpec& spec) {
   auto attributes = std::make_shared<ImageMetadata::Attributes>();
   for (const OIIO::ParamValue& value : spec.extra_attribs) {
     const std::string_view name = value.name().c_str();
-    if (name == kColorProfile && value.datasize() <= kLargestProfileBytes) {
+    if (name == kColorProfile && isSoundProfile(value)) {
       attributes->colorProfile.push_back(value);
     }
     if (attributes->values.size() < kMostValues && isPrintable(name) && !isStorage(name) &&

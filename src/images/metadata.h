@@ -22,7 +22,7 @@ class ImageMetadata {
   std::vector<std::string> names() const;
   // A value as text; nothing if there is none of that name ("Make", "Exif:DateTimeOriginal").
   std::optional<std::string> text(const std::string& name) const;
-  // An ICC profile of the pixels as they were read.
+  // An ICC profile of the pixels as they were read. A damaged one does not count.
   bool hasColorProfile() const;
 
  private:

@@ -57,6 +57,8 @@ void setUpOpenImageIO() {
   std::call_once(once, [] {
     OIIO::attribute("limits:imagesize_MB", 24 << 10);
     OIIO::attribute("limits:channels", 512);
+    // Packaged builds of the library print remarks for its developers.
+    OIIO::attribute("debug", 0);
   });
 }
 

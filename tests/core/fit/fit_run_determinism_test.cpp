@@ -5,6 +5,7 @@
 #include <cstring>
 #include <tbb/global_control.h>
 
+#include "core/base/random.h"
 #include "core/fit/fit_run.h"
 #include "core/fit/pixel_grouping.h"
 #include "core/fit/refined_solver.h"

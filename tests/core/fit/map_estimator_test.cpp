@@ -193,7 +193,9 @@ class MapEstimatorTest : public QObject {
     for (const double dead : {0.0, 0.7, 1e6}) {
       channels << pixels.at(0), dead;
       const Estimate estimate = with.solve(channels);
-      QVERIFY((estimate.parameters == without.solve(pixels.at(0)).parameters).all());
+      // Sums over one row more round differently.
+      const ParameterVector expected = without.solve(pixels.at(0)).parameters;
+      QVERIFY(((estimate.parameters - expected).abs() < 1e-7).all());
     }
   }
 

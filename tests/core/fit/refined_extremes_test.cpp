@@ -64,6 +64,30 @@ Rig aliveAndDead() {
   return rig;
 }
 
+void expectGoodAnswers(const PixelSolver& solver, const test::PixelSet& pixels,
+                       const char* instructionSet) {
+  test::Solutions solutions = test::solve(solver, pixels);
+  for (std::size_t i = 0; i < pixels.count; ++i) {
+    QVERIFY2(wellBehaved(solutions, i),
+             qPrintable(QString("%1, pixel %2: %3 %4 %5 %6 %7, state %8")
+                            .arg(instructionSet)
+                            .arg(i)
+                            .arg(solutions.at(i)[0])
+                            .arg(solutions.at(i)[1])
+                            .arg(solutions.at(i)[2])
+                            .arg(solutions.at(i)[3])
+                            .arg(solutions.at(i)[4])
+                            .arg(int{solutions.states[i]})));
+  }
+  std::vector<float> deviations(solutions.parameters.size(), -1.0f);
+  solver.deviations(
+      {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
+      deviations.data());
+  for (const float value : deviations) {
+    QVERIFY2(std::isfinite(value) && value >= 0.0f, instructionSet);
+  }
+}
+
 class RefinedExtremesTest : public QObject {
   Q_OBJECT
 
@@ -71,50 +95,33 @@ class RefinedExtremesTest : public QObject {
   void cleanup() { EXPECT_OK(pinInstructionSet("")); }
 
   void staysFiniteAndInsideTheBox_data() {
-    QTest::addColumn<QString>("instructionSet");
     QTest::addColumn<bool>("log");
     QTest::addColumn<double>("read");
     QTest::addColumn<double>("proportional");
-    for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) {
-      for (const bool log : {true, false}) {
-        const char* prior = log ? "log" : "linear";
-        QTest::addRow("%s, %s", name, prior) << name << log << 0.0001 << 0.005;
-        QTest::addRow("%s, %s, no read noise", name, prior) << name << log << 0.0 << 0.005;
-        QTest::addRow("%s, %s, read noise only", name, prior) << name << log << 0.001 << 0.0;
-        QTest::addRow("%s, %s, exact", name, prior) << name << log << 0.0 << 0.0;
-        QTest::addRow("%s, %s, hardly any", name, prior) << name << log << 1e-9 << 1e-9;
-      }
+    for (const bool log : {true, false}) {
+      const char* prior = log ? "log" : "linear";
+      QTest::addRow("%s", prior) << log << 0.0001 << 0.005;
+      QTest::addRow("%s, no read noise", prior) << log << 0.0 << 0.005;
+      QTest::addRow("%s, read noise only", prior) << log << 0.001 << 0.0;
+      QTest::addRow("%s, exact", prior) << log << 0.0 << 0.0;
+      QTest::addRow("%s, hardly any", prior) << log << 1e-9 << 1e-9;
     }
   }
   void staysFiniteAndInsideTheBox() {
-    QFETCH(QString, instructionSet);
     QFETCH(bool, log);
     QFETCH(double, read);
     QFETCH(double, proportional);
-    if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
     FitOptions options;
     options.noise = NoiseModel{read, proportional};
     if (!log) options.prior = test::populationPrior();
     for (const Rig& rig : {test::monitorRig(), test::albedoRig(), aliveAndDead()}) {
       const auto solver = makeRefinedSolver(test::sharedModel(), rig, options);
       const test::PixelSet pixels = oddPixels(static_cast<std::size_t>(rig.channelCount()));
-      test::Solutions solutions = test::solve(*solver, pixels);
-      for (std::size_t i = 0; i < pixels.count; ++i) {
-        QVERIFY2(wellBehaved(solutions, i),
-                 qPrintable(QString("pixel %1: %2 %3 %4 %5 %6, state %7")
-                                .arg(i)
-                                .arg(solutions.at(i)[0])
-                                .arg(solutions.at(i)[1])
-                                .arg(solutions.at(i)[2])
-                                .arg(solutions.at(i)[3])
-                                .arg(solutions.at(i)[4])
-                                .arg(int{solutions.states[i]})));
+      for (const char* instructionSet : {"scalar", "sse4", "avx2", "avx512"}) {
+        if (!pinInstructionSet(instructionSet)) continue;  // not on this processor
+        expectGoodAnswers(*solver, pixels, instructionSet);
+        if (QTest::currentTestFailed()) return;
       }
-      std::vector<float> deviations(solutions.parameters.size(), -1.0f);
-      solver->deviations(
-          {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
-          deviations.data());
-      for (const float value : deviations) QVERIFY(std::isfinite(value) && value >= 0.0f);
     }
   }
 
@@ -130,9 +137,8 @@ class RefinedExtremesTest : public QObject {
     QFETCH(bool, log);
     QFETCH(bool, exact);
     // The ends of the ranges are the hard ones: there is no logarithm of 0.
-    const double values[] = {0.0, 0.123456789, 1.0};
     for (int fixed = 0; fixed < kParameterCount; ++fixed) {
-      for (const double share : values) {
+      for (const double share : {0.0, fixed % 2 == 0 ? 1.0 : 0.123456789}) {
         FitOptions options;
         if (!log) options.prior = test::populationPrior();
         if (exact) options.noise = NoiseModel{0.0, 0.0};

@@ -84,7 +84,8 @@ class SkinTableTest : public QObject {
     QTest::addColumn<int>("rowCount");
     for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) {
       for (const int rowCount : {1, 3, 9, 16}) {
-        QTest::addRow("%s, %d rows", name, rowCount) << name << rowCount;
+        const QString title = QString("%1, %2 rows").arg(name).arg(rowCount);
+        QTest::newRow(qPrintable(title)) << name << rowCount;
       }
     }
   }

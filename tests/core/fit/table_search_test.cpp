@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/random.h"
 #include "core/fit/population.h"
 #include "core/fit/search_solver.h"
 #include "tests/core/fit/fit_fixture.h"

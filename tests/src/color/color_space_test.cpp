@@ -231,7 +231,7 @@ class ColorSpaceTest : public QObject {
   void unknownNamesAreAnsweredWithKnownOnes() {
     const auto wrong = toLinearRec709("ACEScgg", "--colorspace");
     EXPECT_ERROR(wrong, "--colorspace: unknown colour space 'ACEScgg'; did you mean 'ACEScg'?");
-    QVERIFY(wrong.error().kind == ErrorKind::usage);
+    QVERIFY(wrong.error().kind == ErrorKind::input);
     EXPECT_ERROR(fromLinearRec709("", "--colorspace"), "sRGB");
     EXPECT_ERROR(canonicalColorSpace("XYZZY plugh 12345", "x"), "known: sRGB");
   }

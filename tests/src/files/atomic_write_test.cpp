@@ -146,13 +146,17 @@ class AtomicWriteTest : public QObject {
   // The longest name a file may have (255 bytes), and odd ones.
   void oddNames() {
     const test::ScratchFolder folder;
+    std::string skin;  // 84 characters of three bytes each
+    for (int i = 0; i < 84; ++i) skin += "皮";
     for (const std::string& name :
-         {std::string(251, 'n') + ".txt", std::string(".hidden"), std::string("no extension"),
-          std::string("häut 皮肤.txt"), std::string("a.b.c"), std::string("-rf")}) {
+         {std::string(251, 'n') + ".txt", "a." + std::string(253, 'x'), skin + ".no",
+          std::string(".hidden"), std::string("no extension"), std::string("häut 皮肤.txt"),
+          std::string("a.b.c"), std::string("-rf")}) {
       EXPECT_OK(writeTextAtomically(folder / name, name));
       QVERIFY(folder.read(name) == name);
     }
-    QCOMPARE(folder.names().size(), std::size_t{6});
+    QCOMPARE(folder.names().size(), std::size_t{8});
+    EXPECT_ERROR(checkWritable(folder / std::string(256, 'n')), "choose a shorter one");
   }
 
   // Of several at once one wins, whole.

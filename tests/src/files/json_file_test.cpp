@@ -31,7 +31,7 @@ class JsonFileTest : public QObject {
     row("end of file after a newline", "{\n\"a\": 1\n", "f.json:3:1");
     row("text without end", "{\"a\": \"abc", "f.json:1:11");
     row("line break in a text", "{\n\"a\": \"ab\nc\"}", "f.json:2:9");
-    row("comment", "{\n  // no\n}", "f.json:2:4");
+    row("comment", "{\n  // no\n}", "f.json:2:3");
     row("two documents", "{} {}", "f.json:1:4");
     row("nothing but blanks", "  ", "f.json:1:3");
     row("not UTF-8", "{\"a\": \"\xff\"}", "f.json:1:8");

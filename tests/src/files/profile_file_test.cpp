@@ -1,3 +1,4 @@
+#include <QRegularExpression>
 #include <QtTest>
 
 #include "src/files/profile_file.h"
@@ -101,14 +102,16 @@ class ProfileFileTest : public QObject {
     row("no thickness", "\"thickness_mm\": 0.32", "\"thickness_mm\": 0", "epidermis.thickness_mm must be between 0 and 10");
     row("scattering", "\"coefficient\": 14.74", "\"coefficient\": -1e6", "epidermis.reduced_scattering must be positive");
     row("absorption", "\"constant\": 0.0244", "\"constant\": -5", "absorption must be positive over the whole parameter range");
-    row("decay", "\"decay_nm\": 66.2", "\"decay_nm\": 0", "absorption");
+    row("decay", "\"decay_nm\": 66.2", "\"decay_nm\": 0", "absorption.baseline.decay_nm must be positive");
+    row("negative decay", "\"decay_nm\": 66.2", "\"decay_nm\": -66.2", "absorption.baseline.decay_nm must be positive");
+    row("infinite absorption", "\"coefficient\": 6.6e10", "\"coefficient\": 1e308", "absorption must be below a million per mm over the whole parameter range, and is not at 300 nm");
     row("optics", "\"diffusion\"", "\"magic\"", "layer_optics must be \"diffusion\"");
     row("text for a number", "\"oxygenation\": 0.75", "\"oxygenation\": \"0.75\"", "absorption.oxygenation must be a finite number");
     row("prior scale", "\"scale\": \"log\"", "\"scale\": \"cubic\"", "prior.scale must be \"linear\" or \"log\"");
     row("no prior", "\"prior\"", "\"description2\"", "unknown field 'description2'");
-    row("prior without a mean", "\"mean\": {\"melanin\": 0.035, ", "\"mean\": {", "prior.mean.melanin must be a number (it is missing)");
-    row("prior at zero", "\"melanin\": 0.035", "\"melanin\": 0", "prior.mean.melanin must be positive on the log scale");
-    row("prior without spread", "\"carotene\": 1.0}", "\"carotene\": 0}", "prior.sd.carotene must be positive");
+    row("prior without a mean", "\"mean\": {\"melanin\": 0.05, ", "\"mean\": {", "prior.mean.melanin must be a number (it is missing)");
+    row("prior at zero", "\"melanin\": 0.05", "\"melanin\": 0", "prior.mean.melanin must be positive on the log scale");
+    row("prior without spread", "\"carotene\": 0.9}", "\"carotene\": 0}", "prior.sd.carotene must be positive");
   }
   void errorsNameFileAndField() {
     QFETCH(QString, from);
@@ -124,15 +127,15 @@ class ProfileFileTest : public QObject {
 
   // A table of skin must fit into memory.
   void tablesHaveALimit() {
-    std::string text = paper();
-    for (int k = 0; k < 5; ++k) {
-      const auto at = text.find("\"samples\": ", 0);
-      const auto end = text.find(',', at);
-      text.replace(at, end - at, "\"sampIes\": 256");
-    }
-    std::size_t at = 0;
-    while ((at = text.find("sampIes")) != std::string::npos) text.replace(at, 7, "samples");
-    EXPECT_ERROR(parseProfile(text, "p.json"), "samples");
+    const QRegularExpression samples("\"samples\": [0-9]+");
+    const auto withSamples = [&](int count) {
+      const QString text = QString::fromStdString(paper());
+      const QString field = QString("\"samples\": %1").arg(count);
+      return parseProfile(QString(text).replace(samples, field).toStdString(), "p.json");
+    };
+    EXPECT_OK(withSamples(25));  // 25⁵ = 9.8 million
+    EXPECT_ERROR(withSamples(26), "the product of all parameters.*.samples must be at most 10 million");
+    EXPECT_ERROR(withSamples(256), "the product of all parameters.*.samples");
   }
 
   void fingerprintsTellModelsApart() {
@@ -146,7 +149,7 @@ class ProfileFileTest : public QObject {
     QVERIFY(of("\"oxygenation\": 0.75", "\"oxygenation\": 0.7501") != original);
     QVERIFY(of("\"exponent\": -4}", "\"exponent\": -4.001}") != original);
     // The prior and the names change no reflectance.
-    QCOMPARE(of("\"melanin\": 0.035", "\"melanin\": 0.05"), original);
+    QCOMPARE(of("\"melanin\": 0.05", "\"melanin\": 0.06"), original);
     QCOMPARE(of("\"name\": \"li2024\"", "\"name\": \"other\""), original);
   }
 };

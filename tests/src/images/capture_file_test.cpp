@@ -202,7 +202,7 @@ class CaptureFileTest : public QObject {
     EXPECT_ERROR(readWith("\"scale\"", "\"scales\""), "unknown field 'images[2].scales'");
     EXPECT_ERROR(readWith("\"white.exr\"", "7"), "images[1].file must be a text");
     EXPECT_ERROR(readWith("\"white.exr\"", "\"whte.exr\""), "there is no such file");
-    EXPECT_ERROR(readWith(" ] })", " ], })"), "capture.json:4:");
+    EXPECT_ERROR(readWith(" ] }", " ], }"), "capture.json:4:");
     describe(R"({"cutis_capture": 1, "rig": "monitor", "encoding": "linear", "images": []})");
     EXPECT_ERROR(read(folder_->root()), "images must be a list of at least one image");
     describe(R"({"cutis_capture": 1, "rig": "monitor", "encoding": "linear", "images": ["a"]})");

@@ -1,4 +1,3 @@
-#include <QElapsedTimer>
 #include <QtTest>
 #include <random>
 
@@ -14,7 +13,6 @@ namespace {
 using test::ImageFolder;
 
 constexpr int kCorruptions = 20;
-constexpr int kLongestReadMs = 10000;
 
 // Small files of every kind that is read.
 class DamagedFileTest : public QObject {
@@ -39,10 +37,9 @@ class DamagedFileTest : public QObject {
     return readImage(path, PixelFormat::float32, nullptr, {});
   }
 
-  // Whatever the outcome: quick, and one sentence that names the file.
+  // Whatever the outcome: one sentence that names the file.
   template <typename T>
-  static void check(const Result<T>& result, const QElapsedTimer& timer, const std::string& name) {
-    QVERIFY2(timer.elapsed() < kLongestReadMs, name.c_str());
+  static void check(const Result<T>& result, const std::string& name) {
     if (result) return;
     QVERIFY(result.failed());
     const std::string sentence = result.error().text();
@@ -103,24 +100,22 @@ class DamagedFileTest : public QObject {
       for (const double share : {0.0, 0.002, 0.01, 0.05, 0.2, 0.5, 0.8, 0.95}) {
         const auto length = static_cast<qsizetype>(share * static_cast<double>(whole.size()));
         test::writeBytes(folder_.path(name), whole.left(length));
-        QElapsedTimer timer;
-        timer.start();
         if (maps) {
           const auto result = readMaps(folder_.path(name), PixelFormat::float32, nullptr, {});
           QVERIFY2(result.failed(), qPrintable(QString("maps at %1").arg(share)));
-          check(result, timer, name);
+          check(result, name);
           continue;
         }
         const auto result = read(folder_.path(name));
         QVERIFY2(result.failed(),
                  qPrintable(QString("%1 at %2").arg(QString::fromStdString(file)).arg(share)));
-        check(result, timer, name);
+        check(result, name);
       }
     }
   }
 
   void theLastByteCounts() {
-    for (const char* file : {"a.png", "e.exr", "g.jpg", "k.tif", "maps.exr"}) {
+    for (const char* file : {"a.png", "e.exr", "g.jpg", "k.tif", "m.tif", "maps.exr"}) {
       const QByteArray whole = test::readBytes(folder_.path(file));
       const std::string name = "last" + std::filesystem::path(file).extension().string();
       // A TIFF written in one go ends in its directory, a JPEG in a marker.
@@ -149,14 +144,11 @@ class DamagedFileTest : public QObject {
           bytes.replace(at, std::min<qsizetype>(50, whole.size() - at), QByteArray(50, '\xff'));
         }
         test::writeBytes(folder_.path(name), bytes);
-        QElapsedTimer timer;
-        timer.start();
         const auto image = read(folder_.path(name));
-        check(image, timer, name);
+        check(image, name);
         ++(image ? survived : refused);
         if (file != "maps.exr") continue;
-        timer.start();
-        check(readMaps(folder_.path(name), PixelFormat::float32, nullptr, {}), timer, name);
+        check(readMaps(folder_.path(name), PixelFormat::float32, nullptr, {}), name);
         (void)isMapsFile(folder_.path(name));
       }
     }

@@ -52,6 +52,7 @@ QByteArray tinyProfile(const QByteArray& description) {
   profile.replace(8, 4, number(0x02400000));
   profile.replace(12, 12, "mntrRGB XYZ ");
   profile.replace(36, 4, "acsp");
+  profile.replace(68, 12, number(0xf6d6) + number(0x10000) + number(0xd32d));  // D50
   profile += number(1) + "desc" + number(144) + number(textSize + 78) + text;
   profile.replace(0, 4, number(static_cast<quint32>(profile.size())));
   return profile;
@@ -205,6 +206,17 @@ class SafeWriteTest : public QObject {
       header = readImageHeader(folder_.path(file), {});
       QVERIFY(!header.value().metadata.hasColorProfile());
     }
+  }
+
+  // Writers refuse them, or print to stderr.
+  void damagedProfilesAreLeftOut() {
+    const QByteArray sound = tinyProfile("Display P3");
+    for (const int at : {3, 36, 69}) {  // length, mark, illuminant
+      QByteArray damaged = sound;
+      damaged[at] = static_cast<char>(damaged[at] + 1);
+      QVERIFY(!cameraPhotograph(damaged).metadata.hasColorProfile());
+    }
+    QVERIFY(!cameraPhotograph("short").metadata.hasColorProfile());
   }
 
   void profilesAreKnownByTheirDescription() {

@@ -1,0 +1,117 @@
+#pragma once
+
+// One subject: what was opened, its maps, its edits.
+//
+// All change goes through apply(), undo() and open…(): they cancel what they invalidate, keep the
+// history and tell who watches. Reading and fitting run in the background; whatever can be shown is
+// shown before they end. The document never waits.
+//
+// Lives on the interface thread. What pictures are made of is handed out as a Scene, which any
+// thread may read.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "core/base/result.h"
+#include "core/fit/fit_options.h"
+#include "core/fit/fit_run.h"
+#include "src/app/engine.h"
+#include "src/app/job_runner.h"
+#include "src/app/scene.h"
+#include "src/app/undo_history.h"
+
+namespace cutis {
+
+// A change of the state that undo restores.
+struct Command {
+  QString name;        // "Melanin × 1.4"
+  QString mergeGroup;  // commands of one group in a row are one step; empty never merges
+  std::function<void(DocumentState&)> change;
+  // A control is being dragged: pictures may be coarse until the next command.
+  bool moving = false;
+};
+
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  // Both outlive the document.
+  Document(Engine& engine, JobRunner& jobs, QObject* parent = nullptr);
+
+  // Each replaces what is open once it could be read; a failure leaves it as it was.
+  void openSample();
+  // A capture's folder, capture.json, an image or maps.
+  void open(const std::filesystem::path& path);
+
+  bool isOpen() const { return scene_.has_value(); }
+  QString name() const { return name_; }
+  // Whether the fit is complete.
+  bool isFitted() const { return fitted_; }
+  // The files this was made from; never written to.
+  const std::vector<std::filesystem::path>& sourceFiles() const { return sourceFiles_; }
+  // Precondition: isOpen().
+  const Scene& scene() const { return *scene_; }
+  const FitStatistics& statistics() const { return statistics_; }
+
+  // Precondition for the rest: isOpen().
+  void apply(const Command& command);
+  // The drag of a control has ended: the next command starts a step of its own.
+  void endGroup() { history_.closeGroup(); }
+  void undo();
+  void redo();
+  const UndoHistory& history() const { return history_; }
+
+  // The spectra of a pixel, original and edited, computed exactly; nothing where there is no
+  // estimate. About 0.1 ms.
+  struct PixelSpectra {
+    ParameterVector originalParameters;
+    ParameterVector editedParameters;
+    Spectrum original;
+    Spectrum edited;
+  };
+  std::optional<PixelSpectra> spectraAt(int x, int y) const;
+
+ Q_SIGNALS:
+  // Something else is open now; its maps may still be empty.
+  void opened();
+  // The maps have new values. At most 20 times a second.
+  void mapsChanged();
+  void fitted();
+  void editsChanged(bool moving);
+  // One sentence for the user.
+  void failed(const QString& sentence);
+  void noticed(const QString& sentence);
+
+ private:
+  using Opener = std::function<Result<Source>(const SkinModel&, const JobContext&)>;
+
+  void startOpening(const QString& name, std::vector<std::filesystem::path> files, Opener open);
+  void openMaps(const std::filesystem::path& path);
+  void take(Scene scene, const QString& name, std::vector<std::filesystem::path> files);
+  void startFit();
+  void setEdits(bool moving);
+  std::shared_ptr<TileStore> store() const { return store_; }
+
+  Engine& engine_;
+  JobRunner& jobs_;
+  std::shared_ptr<TileStore> store_;
+  JobId opening_ = 0;
+  JobId fitting_ = 0;
+  QTimer mapsTimer_;
+
+  std::optional<Scene> scene_;
+  QString name_;
+  std::vector<std::filesystem::path> sourceFiles_;
+  bool fitted_ = false;
+  FitStatistics statistics_;
+  UndoHistory history_;
+};
+
+}  // namespace cutis

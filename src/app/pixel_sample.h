@@ -1,0 +1,40 @@
+#pragma once
+
+// A regular sample of the pixels of a picture that can be solved, and how well a model explains
+// them.
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "core/fit/pixel_solver.h"
+#include "core/rig/measurements.h"
+#include "core/skin/chromophore_maps.h"
+
+namespace cutis {
+
+struct PixelSample {
+  std::size_t count = 0;
+  std::vector<float> channels;    // [channel][count]
+  std::vector<float> parameters;  // [parameter][count]
+
+  PixelBatch batch() { return {count, count, channels.data(), parameters.data()}; }
+};
+
+// Every n-th pixel of every n-th row, the least n that takes at most `most` pixels; only those that
+// can be solved. Parameters are those of `maps` or, without maps, zero.
+Result<PixelSample> samplePixels(const Measurements& measurements, const ChromophoreMaps* maps,
+                                 std::size_t most, const JobContext& context);
+
+// ΔE2000 between each pixel's measurement and its model, for a rig with an observer and one light.
+std::vector<double> reconstructionDeltaE(const Rig& rig, const PixelSolver& solver,
+                                         PixelSample& sample);
+
+// Whether colours of the rig's pixels mean something: an observer under one light.
+bool seesColors(const Rig& rig);
+
+// Reconstructions at most this far away count as the same colour.
+inline constexpr double kSameColorDeltaE = 1.0;
+
+}  // namespace cutis

@@ -1,0 +1,159 @@
+#include "src/cli/fit_arguments.h"
+
+#include <array>
+#include <utility>
+
+#include "src/files/csv.h"
+#include "src/files/profile_file.h"
+#include "src/files/suggestion.h"
+
+namespace cutis {
+namespace {
+
+constexpr double kLeastExposure = 1e-6;
+constexpr double kMostExposure = 1e6;
+constexpr double kMostNoise = 1.0;
+
+constexpr std::array<std::pair<const char*, FitMethod>, 3> kMethods = {
+    {{"refined", FitMethod::refined},
+     {"three-stage", FitMethod::threeStage},
+     {"full-search", FitMethod::fullSearch}}};
+
+Result<FitMethod> methodNamed(const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& [knownName, method] : kMethods) {
+    if (name == knownName) return method;
+    known.emplace_back(knownName);
+  }
+  if (name == "network") return usageError("--method", "network is not in this version");
+  return usageError("--method", "unknown method '" + name + "'; " + suggestName(name, known));
+}
+
+// The table searches know neither a prior nor parameters that are held.
+Status checkMethodOptions(const FitArguments& arguments, FitMethod method) {
+  if (method == FitMethod::refined) return {};
+  for (const auto& [option, given] : {std::pair{"--prior", !arguments.prior.empty()},
+                                      {"--fix", !arguments.fixed.empty()},
+                                      {"--noise", !arguments.noise.empty()}}) {
+    if (given) return usageError(option, "only the method refined takes this; leave it out");
+  }
+  return {};
+}
+
+Status parseExposure(const std::string& text, FitRequest& request) {
+  if (text == "auto") {
+    request.chooseExposure = true;
+  } else if (!text.empty()) {
+    CUTIS_TRY(exposure, realNumber("--exposure", text, kLeastExposure, kMostExposure));
+    request.source.exposure = exposure;
+  }
+  return {};
+}
+
+}  // namespace
+
+void addFitArguments(CLI::App& command, FitArguments& arguments) {
+  command
+      .add_option("--method", arguments.method,
+                  "refined (default): exact physics, most probable values; three-stage and "
+                  "full-search: nearest entry of the table of skin")
+      ->type_name("METHOD");
+  command
+      .add_option("--profile", arguments.profile,
+                  "Skin model: a built-in name or a JSON file (default: li2024)")
+      ->type_name("NAME|FILE");
+  command
+      .add_option("--rig", arguments.rig,
+                  "Camera and lights: a built-in name or a JSON file (default: what the capture "
+                  "names; albedo for an image)")
+      ->type_name("NAME|FILE");
+  command
+      .add_option("--lights", arguments.lights,
+                  "Lights of the capture to use, with commas between them (default: all)")
+      ->type_name("LIGHT,...");
+  command
+      .add_option("--exposure", arguments.exposure,
+                  "Factor on the linear values of an image; auto chooses the one that brings "
+                  "most pixels into the profile's range of skin colours (default: 1)")
+      ->type_name("S|auto");
+  command
+      .add_option("--noise", arguments.noise,
+                  "Standard deviations of a channel, constant and proportional, where the "
+                  "perfect diffuser reads 1; 0,0 asks for the exact solution (default: the "
+                  "rig's, 0.0001,0.005 for the built-in ones)")
+      ->type_name("READ,PROP");
+  command
+      .add_option("--prior", arguments.prior,
+                  "JSON file with what is known of the skin beforehand (default: the profile's)")
+      ->type_name("FILE");
+  command
+      .add_option("--fix", arguments.fixed,
+                  "Hold a parameter at a value in its unit instead of estimating it, such as "
+                  "carotene=0; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+std::string firstGiven(const FitArguments& arguments) {
+  for (const auto& [option, text] : {std::pair{"--method", arguments.method},
+                                     {"--profile", arguments.profile},
+                                     {"--rig", arguments.rig},
+                                     {"--lights", arguments.lights},
+                                     {"--exposure", arguments.exposure},
+                                     {"--noise", arguments.noise},
+                                     {"--prior", arguments.prior}}) {
+    if (!text.empty()) return option;
+  }
+  return arguments.fixed.empty() ? "" : "--fix";
+}
+
+Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
+  FitRequest request;
+  request.profile = arguments.profile.empty() ? kDefaultProfile : arguments.profile;
+  request.methodName = arguments.method.empty() ? kMethods.front().first : arguments.method;
+  CUTIS_TRY(method, methodNamed(request.methodName));
+  request.options.method = method;
+  CUTIS_CHECK(checkMethodOptions(arguments, method));
+  request.source.rig = arguments.rig;
+  request.source.lights = commaSeparated(arguments.lights);
+  CUTIS_CHECK(parseExposure(arguments.exposure, request));
+  if (!arguments.noise.empty()) {
+    CUTIS_TRY(noise, realNumbers("--noise", arguments.noise, 2, 0.0, kMostNoise));
+    request.options.noise = NoiseModel{noise[0], noise[1]};
+  }
+  request.priorFile = arguments.prior;
+  for (const std::string& text : arguments.fixed) {
+    CUTIS_TRY(fixed, assignment("--fix", text));
+    request.fixed.push_back(fixed);
+  }
+  return request;
+}
+
+Status completeFitOptions(const FitRequest& request, const Profile& profile, FitOptions& options) {
+  for (const Assignment& fixed : request.fixed) {
+    const auto k = static_cast<std::size_t>(fixed.parameter);
+    const std::string name(parameterName(fixed.parameter));
+    const double most = profile.axes[k].maximum;
+    if (fixed.value < 0.0 || fixed.value > most) {
+      return usageError("--fix", name + "=" + formatNumber(fixed.value) +
+                                     " is out of range; give a value from 0 to " +
+                                     formatNumber(most));
+    }
+    if (options.fixed[k]) return usageError("--fix", name + " is given twice; give it once");
+    options.fixed[k] = fixed.value;
+  }
+  if (request.fixed.size() == kParameterCount) {
+    return usageError("--fix", "all five parameters are held; leave at least one to be estimated");
+  }
+  if (!request.priorFile.empty()) {
+    CUTIS_TRY(prior, readPrior(request.priorFile, profile.prior));
+    options.prior = prior;
+  }
+  return {};
+}
+
+std::vector<std::string> filesRead(const FitRequest& request) {
+  return {request.profile, request.source.rig, request.source.mask.string(), request.priorFile};
+}
+
+}  // namespace cutis

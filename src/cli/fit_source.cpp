@@ -1,0 +1,106 @@
+#include "src/cli/fit_source.h"
+
+#include <chrono>
+#include <utility>
+
+#include "src/app/exposure.h"
+#include "src/files/csv.h"
+#include "src/files/profile_file.h"
+#include "src/images/capture_file.h"
+
+namespace cutis {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Seconds since the last call.
+class Lap {
+ public:
+  double seconds() {
+    const auto now = Clock::now();
+    return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
+  }
+
+ private:
+  Clock::time_point start_ = Clock::now();
+};
+
+Status setBestExposure(const std::string& path, const SourceOptions& options,
+                       const PixelSolver& solver, const Session& session, FittedSource& fitted) {
+  // Too short to be shown.
+  const JobContext silent = {session.context.stop, {}, session.context.notice};
+  CUTIS_TRY(choice, chooseExposure(fitted.source.measurements, solver, silent));
+  session.context.say(path + ": exposure " + formatNumber(choice.exposure, 4) + " brings " +
+                      formatNumber(100.0 * choice.inside, 3) +
+                      " % of the pixels into the profile's range of skin colours");
+  if (choice.exposure == 1.0) return {};
+  // Read anew, so that the same number given by hand makes the same maps.
+  SourceOptions exposed = options;
+  exposed.exposure = choice.exposure;
+  fitted.source = Source();
+  CUTIS_TRY(source, openSource(path, exposed, *fitted.model, session.store, silent));
+  fitted.source = std::move(source);
+  return {};
+}
+
+}  // namespace
+
+Result<FittedSource> fitSource(const std::string& path, const FitRequest& request,
+                               const Session& session, double share) {
+  const JobContext context = session.context.child(0.0, share);
+  if (request.chooseExposure && looksLikeCapture(path)) {
+    return usageError("--exposure",
+                      "a capture is linear and calibrated; this is for single images");
+  }
+  FittedSource fitted;
+  Engine& engine = session.engine;
+  CUTIS_TRY(model, engine.model(request.profile, "--profile"));
+  fitted.model = model;
+  FitOptions options = request.options;
+  CUTIS_CHECK(completeFitOptions(request, model->profile(), options));
+
+  Lap lap;
+  CUTIS_TRY(source, openSource(path, request.source, *model, session.store,
+                               context.child(0.0, 0.15, "reading")));
+  fitted.source = std::move(source);
+  fitted.seconds.load = lap.seconds();
+  CUTIS_TRY(solver, engine.solver(model, fitted.source.measurements.rig, options,
+                                  context.child(0.15, 0.25, "preparing")));
+  fitted.nodes = solver->nodeCount();
+  if (request.chooseExposure) {
+    CUTIS_CHECK(setBestExposure(path, request.source, *solver, session, fitted));
+  }
+  fitted.seconds.prepare = lap.seconds();
+  fitted.planes = FitPlanes(fitted.source.measurements, options, session.store);
+  CUTIS_TRY(statistics,
+            runFit(fitted.source.measurements, *solver, fitted.planes, context.child(0.25, 1.0)));
+  fitted.statistics = statistics;
+  CUTIS_TRY(gamut, measureGamut(fitted.source.measurements, fitted.planes.maps, *solver,
+                                options.noise, context.child(1.0, 1.0)));
+  fitted.gamut = gamut;
+  fitted.seconds.fit = lap.seconds();
+  return fitted;
+}
+
+Result<MapsFile> mapsFileOf(const FittedSource& fitted, const FitRequest& request) {
+  MapsFile file;
+  file.maps = fitted.planes.maps;
+  file.deviations = fitted.planes.deviations;
+  file.residuals = fitted.planes.residuals;
+  const Rig& rig = fitted.source.measurements.rig;
+  for (std::size_t k = 0; k < file.residuals.size(); ++k) {
+    file.residualNames.push_back(rig.channelName(static_cast<int>(k)));
+  }
+  CUTIS_TRY(profileJson, profileText(request.profile, "--profile"));
+  file.attributes = {fitted.model->profile().name,
+                     profileJson,
+                     rig.name,
+                     request.methodName,
+                     fitted.source.exposure,
+                     fitted.source.references,
+                     fitted.source.colorSpace};
+  file.metadata = fitted.source.metadata;
+  return file;
+}
+
+}  // namespace cutis

@@ -1,0 +1,42 @@
+#pragma once
+
+// From a path to fitted maps, as `fit` and `apply` need them.
+
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/fit/fit_run.h"
+#include "src/app/gamut.h"
+#include "src/app/source.h"
+#include "src/cli/command.h"
+#include "src/cli/fit_arguments.h"
+#include "src/images/maps_file.h"
+
+namespace cutis {
+
+struct FitSeconds {
+  double load = 0.0;     // reading the source
+  double prepare = 0.0;  // nodes, tables, exposure
+  double fit = 0.0;
+  double write = 0.0;
+};
+
+struct FittedSource {
+  std::shared_ptr<const SkinModel> model;
+  Source source;
+  FitPlanes planes;
+  FitStatistics statistics;
+  GamutStatistics gamut;
+  int nodes = 0;
+  FitSeconds seconds;
+};
+
+// Reports to the first `share` of the session's progress.
+Result<FittedSource> fitSource(const std::string& path, const FitRequest& request,
+                               const Session& session, double share);
+
+// The file that a fit writes; planes are shared.
+Result<MapsFile> mapsFileOf(const FittedSource& fitted, const FitRequest& request);
+
+}  // namespace cutis

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace cutis {
+
+// Version, machine and everything built in, in lines of "name: value".
+std::string describeSystem();
+
+}  // namespace cutis

@@ -1,0 +1,135 @@
+#include "src/cli/program.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <tbb/global_control.h>
+
+#include "core/base/instruction_set.h"
+#include "src/cli/arguments.h"
+#include "src/cli/command.h"
+#include "src/cli/console.h"
+#include "src/cli/help_format.h"
+#include "src/files/platform.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kInterrupted = 130;
+constexpr std::size_t kPictureMemoryBytes = std::size_t{2} << 30;
+
+constexpr char kPurpose[] =
+    "Chromophore maps of human skin: fit them to photographs, edit them, render them.\n"
+    "A CAPTURE is a folder with capture.json; a single IMAGE is an albedo texture.";
+constexpr char kFooter[] =
+    "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 no memory, disk or permission,\n"
+    "130 interrupted. 'cutis-cli COMMAND --help' tells all options of a command.";
+
+std::stop_source& interruption() {
+  // Never destroyed: a signal may come while the program ends.
+  static auto& source = *new std::stop_source;
+  return source;
+}
+
+int exitStatus(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::usage:
+      return 2;
+    case ErrorKind::input:
+      return 3;
+    case ErrorKind::resource:
+      return 4;
+  }
+  return 4;
+}
+
+std::unique_ptr<CLI::App> makeCommandLine(Invocation& invocation) {
+  auto app = std::make_unique<CLI::App>(kPurpose, "cutis-cli");
+  app->formatter(std::make_shared<HelpFormat>());
+  app->set_version_flag("--version", "cutis-cli " CUTIS_VERSION, "Print the version and exit");
+  // Commands take over the formatter and the help of the program they are added to.
+  app->set_help_flag("-h,--help", "Print this help and exit");
+  app->footer(kFooter);
+  app->require_subcommand(1);
+  for (const auto add : {addFitCommand, addEditCommand, addRenderCommand, addApplyCommand,
+                         addSpectrumCommand, addSimulateCommand, addInfoCommand}) {
+    add(*app, invocation);
+  }
+  return app;
+}
+
+// What the command line asks for; nothing if it was help or the version, which are printed.
+Result<std::optional<Invocation>> readCommandLine(int argc, const char* const* argv) {
+  Invocation invocation;
+  const auto app = makeCommandLine(invocation);
+  CUTIS_CHECK(
+      checkArguments(*app, std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc)));
+  try {
+    app->parse(argc, argv);
+  } catch (const CLI::Success& request) {
+    app->exit(request);
+    return std::optional<Invocation>();
+  } catch (const CLI::ParseError& error) {
+    return usageErrorOf(*app, error);
+  }
+  return std::optional<Invocation>(invocation);
+}
+
+Status run(const Invocation& invocation, Console& console) {
+  const char* isa = std::getenv("CUTIS_ISA");
+  CUTIS_CHECK(pinInstructionSet(isa == nullptr ? "" : isa));
+  CUTIS_TRY(threads, threadCount(invocation.common));
+  std::optional<tbb::global_control> limit;
+  if (threads > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  }
+  onInterrupt([] { interruption().request_stop(); });
+  Engine engine(cacheFolder());
+  Session session = {engine, std::make_shared<TileStore>(kPictureMemoryBytes), {}};
+  session.context.stop = interruption().get_token();
+  session.context.progress = Progress(
+      [&console](double fraction, const std::string& stage) { console.progress(fraction, stage); });
+  session.context.notice = [&console](const std::string& sentence) { console.note(sentence); };
+  return invocation.run(session);
+}
+
+// What libraries throw in spite of all is an error like any other.
+Status guarded(const Invocation& invocation, Console& console) try {
+  return run(invocation, console);
+} catch (const std::bad_alloc&) {
+  return resourceError("", "not enough memory; use a smaller picture or close other programs");
+} catch (const std::exception& error) {
+  return resourceError("", error.what());
+}
+
+int report(const Failure& failure, Console& console) {
+  if (const auto* error = std::get_if<Error>(&failure)) {
+    console.error(error->text());
+    return exitStatus(error->kind);
+  }
+  console.error("interrupted");
+  return kInterrupted;
+}
+
+}  // namespace
+
+int runProgram(int argc, const char* const* argv) {
+  Console console;
+  const auto invocation = readCommandLine(argc, argv);
+  if (!invocation) return report(invocation.failure(), console);
+  if (!invocation.value()) return 0;
+  console.setQuiet(invocation.value()->common.quiet);
+  const Status status = guarded(*invocation.value(), console);
+  console.clear();
+  return status ? 0 : report(status.failure(), console);
+}
+
+}  // namespace cutis

@@ -1,0 +1,152 @@
+// The editor.
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <QTimer>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/base/instruction_set.h"
+#include "src/files/platform.h"
+#include "ui/main_window.h"
+#include "ui/progress_strip.h"
+#include "ui/script.h"
+#include "ui/theme.h"
+
+namespace {
+
+constexpr int kBadUsage = 2;
+constexpr int kBadInput = 3;
+constexpr int kIdleCheckMs = 20;
+
+struct Arguments {
+  QStringList files;
+  bool sample = false;
+  QString screenshot;
+  std::optional<QSize> size;
+  std::vector<cutis::ScriptLine> script;
+  std::string scriptPlace;
+};
+
+int fail(int status, const std::string& sentence) {
+  std::fprintf(stderr, "cutis: %s\n", sentence.c_str());
+  return status;
+}
+
+std::optional<QSize> parseSize(const QString& text) {
+  const QStringList sides = text.split('x');
+  bool widthIsNumber = false, heightIsNumber = false;
+  const QSize size(sides.value(0).toInt(&widthIsNumber), sides.value(1).toInt(&heightIsNumber));
+  const bool good = sides.size() == 2 && widthIsNumber && heightIsNumber && size.width() >= 320 &&
+                    size.height() >= 240 && size.width() <= 8192 && size.height() <= 8192;
+  return good ? std::optional<QSize>(size) : std::nullopt;
+}
+
+// Runs the script line by line, each when the editor is idle, takes the picture and quits.
+class Automaton : public QObject {
+ public:
+  Automaton(cutis::MainWindow& window, Arguments arguments)
+      : window_(window), arguments_(std::move(arguments)) {
+    timer_.setInterval(kIdleCheckMs);
+    connect(&timer_, &QTimer::timeout, this, &Automaton::next);
+    timer_.start();
+  }
+
+ private:
+  void next() {
+    if (!window_.isIdle()) return;
+    if (line_ < arguments_.script.size()) {
+      const cutis::ScriptLine& line = arguments_.script[line_++];
+      const auto status = cutis::runScriptLine(
+          window_, line, arguments_.scriptPlace + ":" + std::to_string(line.number));
+      if (status.failed()) QCoreApplication::exit(fail(kBadInput, status.error().text()));
+      return;
+    }
+    // Idle twice in a row: what the last step set off has been drawn.
+    if (++idle_ < 2) return;
+    timer_.stop();
+    if (!window_.grab().save(arguments_.screenshot)) {
+      QCoreApplication::exit(
+          fail(kBadInput, arguments_.screenshot.toStdString() +
+                              ": the picture cannot be written; choose a .png in a folder that is "
+                              "there"));
+      return;
+    }
+    QCoreApplication::exit(0);
+  }
+
+  cutis::MainWindow& window_;
+  Arguments arguments_;
+  QTimer timer_;
+  std::size_t line_ = 0;
+  int idle_ = 0;
+};
+
+int runEditor(QApplication& application, const Arguments& arguments) {
+  cutis::MainWindow window(std::make_unique<cutis::Engine>(cutis::cacheFolder()));
+  if (arguments.size) window.resize(*arguments.size);
+  window.show();
+  if (arguments.sample) window.openSample();
+  if (!arguments.files.isEmpty()) window.openPath(arguments.files.first());
+  std::unique_ptr<Automaton> automaton;
+  if (!arguments.screenshot.isEmpty()) {
+    automaton = std::make_unique<Automaton>(window, arguments);
+  }
+  return application.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  QCoreApplication::setApplicationName("cutis");
+  QCoreApplication::setOrganizationName("cutis");
+  QCoreApplication::setApplicationVersion(CUTIS_VERSION);
+  const char* pinned = std::getenv("CUTIS_ISA");
+  const auto isa = cutis::pinInstructionSet(pinned == nullptr ? "" : pinned);
+  if (isa.failed()) return fail(kBadInput, isa.error().text());
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QObject::tr("Editor for human skin."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument("FILE", QObject::tr("A capture, an albedo texture or maps."),
+                               "[FILE...]");
+  const QCommandLineOption sample("sample", QObject::tr("Open the embedded sample."));
+  const QCommandLineOption screenshot(
+      "screenshot", QObject::tr("Wait until idle, take a picture of the window and quit."), "PNG");
+  const QCommandLineOption size("size", QObject::tr("Size of the window."), "WxH");
+  const QCommandLineOption script("script", QObject::tr("Commands to run before the picture."),
+                                  "FILE");
+  const QCommandLineOption reset("reset-settings", QObject::tr("Forget all settings."));
+  parser.addOptions({sample, screenshot, size, script, reset});
+  if (!parser.parse(application.arguments())) {
+    return fail(kBadUsage, parser.errorText().toStdString() + "; see cutis --help");
+  }
+  if (parser.isSet("help")) parser.showHelp();
+  if (parser.isSet("version")) parser.showVersion();
+
+  Arguments arguments;
+  arguments.files = parser.positionalArguments();
+  arguments.sample = parser.isSet(sample);
+  arguments.screenshot = parser.value(screenshot);
+  if (parser.isSet(size)) {
+    arguments.size = parseSize(parser.value(size));
+    if (!arguments.size) {
+      return fail(kBadUsage, "--size: write WIDTHxHEIGHT in pixels, from 320x240 to 8192x8192");
+    }
+  }
+  if (parser.isSet(script)) {
+    if (arguments.screenshot.isEmpty()) {
+      return fail(kBadUsage, "--script: runs before a picture; give --screenshot as well");
+    }
+    arguments.scriptPlace = parser.value(script).toStdString();
+    auto lines = cutis::readScript(parser.value(script));
+    if (lines.failed()) return fail(kBadInput, lines.error().text());
+    arguments.script = std::move(lines).value();
+  }
+  if (parser.isSet(reset)) QSettings().clear();
+  cutis::theme::apply(application);
+  return runEditor(application, arguments);
+}

@@ -1,0 +1,128 @@
+// apply to albedo textures: what is not edited is not touched.
+
+#include "tests/src/cli/program_run.h"
+#include "tests/support/expect.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis::test {
+namespace {
+
+constexpr int kWidth = 40;
+constexpr int kHeight = 24;
+
+class ApplyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    run_.writeImage("skin.png", skinTexture(kWidth, kHeight, {"R", "G", "B"}), SampleType::uint8);
+    ImageContent tiff = skinTexture(kWidth, kHeight, {"R", "G", "B", "A"});
+    tiff.colorSpace = "sRGB";
+    run_.writeImage("skin.tif", tiff, SampleType::uint16);
+    ImageContent exr = skinTexture(kWidth, kHeight, {"R", "G", "B", "A", "pores"});
+    exr.colorSpace = "ACEScg";
+    run_.writeImage("skin.exr", exr, SampleType::half);
+    // Right half.
+    std::vector<float> mask;
+    for (int i = 0; i < kWidth * kHeight; ++i)
+      mask.push_back(i % kWidth < kWidth / 2 ? 0.0f : 1.0f);
+    ImageContent maskImage;
+    maskImage.channelNames = {"Y"};
+    maskImage.channels = {planeOf(kWidth, kHeight, mask)};
+    run_.writeImage("mask.png", maskImage, SampleType::uint8);
+    EXPECT_DONE(run_.run("fit skin.exr -o maps.exr --exposure 0.7"));
+  }
+
+  void uneditedPixelsAreTheSources_data() {
+    QTest::addColumn<QString>("extension");
+    for (const char* extension : {"png", "tif", "exr"})
+      QTest::newRow(extension) << extension;
+  }
+
+  void uneditedPixelsAreTheSources() {
+    QFETCH(QString, extension);
+    EXPECT_DONE(run_.run("apply skin." + extension + " -o same." + extension));
+    const Image source = run_.image("skin." + extension.toStdString());
+    const Image same = run_.image("same." + extension.toStdString());
+    QCOMPARE(same.channelNames, source.channelNames);
+    QVERIFY(same.sourceType == source.sourceType);
+    QCOMPARE(same.colorSpace, source.colorSpace);
+    for (std::size_t k = 0; k < source.channels.size(); ++k) {
+      QVERIFY2(valuesOf(same.channels[k]) == valuesOf(source.channels[k]),
+               source.channelNames[k].c_str());
+    }
+  }
+
+  void maskedEditLeavesTheRestAlone() {
+    EXPECT_DONE(
+        run_.run("apply skin.exr --maps maps.exr -o tanned.exr --melanin 2 "
+                 "--mask mask.png"));
+    const Image source = run_.image("skin.exr"), tanned = run_.image("tanned.exr");
+    QCOMPARE(tanned.colorSpace, std::string("ACEScg"));
+    for (std::size_t k = 0; k < source.channels.size(); ++k) {
+      const std::vector<float> before = valuesOf(source.channels[k]);
+      const std::vector<float> after = valuesOf(tanned.channels[k]);
+      const bool isColor = k < 3;
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        const bool edited = isColor && i % kWidth >= kWidth / 2;
+        if (edited) {
+          QVERIFY2(after[i] < before[i], source.channelNames[k].c_str());
+        } else {
+          QVERIFY2(after[i] == before[i], source.channelNames[k].c_str());
+        }
+      }
+    }
+  }
+
+  void pureIsTheModelInTheSourcesExposure() {
+    EXPECT_DONE(run_.run("apply skin.exr --maps maps.exr -o pure.exr --pure"));
+    const std::vector<float> before = valuesOf(run_.image("skin.exr").channels[1]);
+    const std::vector<float> model = valuesOf(run_.image("pure.exr").channels[1]);
+    double ratio = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      ratio += double{model[i]} / double{before[i]};
+    EXPECT_NEAR(ratio / static_cast<double>(before.size()), 1.0, 0.1);
+  }
+
+  void anotherSpaceConvertsAllPixels() {
+    const Outcome outcome = run_.run("apply skin.exr --maps maps.exr -o out.png");
+    QCOMPARE(outcome.status, 0);
+    QVERIFY2(outcome.errors.find("cutis-cli: note: ") == 0, outcome.errors.c_str());
+    const Image written = run_.image("out.png");
+    QCOMPARE(written.colorSpace, std::string("sRGB"));
+    QVERIFY(written.sourceType == SampleType::uint8);
+  }
+
+  void mapsOfAnotherPictureAreNoted() {
+    const Outcome outcome = run_.run("apply skin.png --maps maps.exr -o other.png");
+    QCOMPARE(outcome.status, 0);
+    QVERIFY2(outcome.errors.find("made from another picture") != std::string::npos,
+             outcome.errors.c_str());
+  }
+
+  void exposureIsChosenAndTold() {
+    const Outcome outcome = run_.run("fit skin.exr -o auto.exr --exposure auto");
+    QCOMPARE(outcome.status, 0);
+    QVERIFY2(outcome.errors.find("note: skin.exr: exposure ") != std::string::npos,
+             outcome.errors.c_str());
+    const double chosen = run_.maps("auto.exr").attributes.exposure;
+    QVERIFY(chosen >= 0.125 && chosen <= 2.0);
+    EXPECT_DONE(run_.run("fit skin.exr -o hand.exr --quiet --exposure " +
+                         QString::number(chosen, 'g', 17)));
+    const MapsFile automatic = run_.maps("auto.exr"), byHand = run_.maps("hand.exr");
+    for (const Parameter parameter : kParameters) {
+      QVERIFY(valuesOf(automatic.maps.values[parameter]) ==
+              valuesOf(byHand.maps.values[parameter]));
+    }
+  }
+
+ private:
+  ProgramRun run_;
+};
+
+CUTIS_TEST(ApplyTest)
+
+}  // namespace
+}  // namespace cutis::test
+
+#include "apply_test.moc"

@@ -1,0 +1,129 @@
+// The command line itself: help, versions, words nobody knows, words of later versions, Ctrl-C.
+
+#include <csignal>
+#include <fstream>
+
+#include <QThread>
+
+#include "tests/src/cli/program_run.h"
+#include "tests/support/expect.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis::test {
+namespace {
+
+constexpr int kUsage = 2;
+constexpr int kInterrupted = 130;
+
+// Whether the process takes interrupts by itself: they are blocked for a thread that waits for
+// them.
+bool takesInterrupts(qint64 process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with("SigBlk:")) continue;
+    return ((std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1)) & 1) != 0;
+  }
+  return false;
+}
+
+struct Case {
+  const char* commandLine;
+  const char* part;  // of the error
+};
+const std::vector<Case> kCases = {
+    {"", "name a command"},
+    {"fitt", "unknown command 'fitt'; did you mean 'fit'?"},
+    {"fit a.png -o b.exr --expsoure 1", "--expsoure: unknown option; did you mean '--exposure'?"},
+    {"render -x", "-x: unknown option"},
+    {"fit", "SOURCE is required"},
+    {"fit a.png -o", "fit: "},
+    {"render a.exr b.exr -o c.png", "render: "},
+    {"measure a.exr -o b.csv", "measure: not in this version"},
+    {"calibrate-profile", "calibrate-profile: not in this version"},
+    {"fit a.png -o b.exr --shading", "--shading: not in this version"},
+    {"fit a.png -o b.exr --frames 1-240", "--frames: not in this version"},
+    {"fit a.png -o b.exr --method network", "--method: network is not in this version"},
+    {"fit a.png b.png -o b.exr", "b.png: several images are not in this version"},
+    {"render a.exr -o b.png --scatter", "--scatter: not in this version"},
+    {"edit a.exr -o b.exr --preset c", "--preset: not in this version"},
+    {"apply a.cutis -o b.png", "a.cutis: projects are not in this version"},
+    {"spectrum --specular included", "--specular: not in this version"},
+};
+
+class UsageTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    std::vector<QString> commandLines;
+    for (const Case& wrong : kCases)
+      commandLines.emplace_back(wrong.commandLine);
+    outcomes_ = run_.runAll(commandLines);
+    QVERIFY(run_.contents().empty());
+  }
+
+  void helpAndVersionAreToldEverywhere() {
+    const Outcome all = run_.run("--help");
+    EXPECT_DONE(all);
+    for (const char* command :
+         {"fit", "edit", "render", "apply", "spectrum", "simulate", "info", "Exit status"}) {
+      QVERIFY2(all.output.find(command) != std::string::npos, command);
+    }
+    const Outcome fit = run_.run("fit --help");
+    EXPECT_DONE(fit);
+    for (const char* option : {"--method", "--noise", "--fix", "--report", "--threads", "-o"}) {
+      QVERIFY2(fit.output.find(option) != std::string::npos, option);
+    }
+    for (const char* line : {"--version", "render --version"}) {
+      const Outcome version = run_.run(line);
+      EXPECT_DONE(version);
+      QCOMPARE(version.output, std::string("cutis-cli " CUTIS_VERSION "\n"));
+    }
+  }
+
+  void isRefused_data() {
+    QTest::addColumn<int>("number");
+    for (std::size_t i = 0; i < kCases.size(); ++i) {
+      QTest::newRow(kCases[i].commandLine) << static_cast<int>(i);
+    }
+  }
+
+  void isRefused() {
+    QFETCH(int, number);
+    const Case& wanted = kCases[static_cast<std::size_t>(number)];
+    const Outcome& outcome = outcomes_[static_cast<std::size_t>(number)];
+    QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
+    QVERIFY2(outcome.errors.find(wanted.part) != std::string::npos, outcome.errors.c_str());
+    QCOMPARE(outcome.status, kUsage);
+    QVERIFY(outcome.output.empty());
+  }
+
+  void interruptLeavesNothingBehind() {
+    EXPECT_DONE(run_.run("simulate --patch 768x768 --noise 0.005 -o large"));
+    const auto before = run_.contents();
+    // The exact setting takes long.
+    const auto process = run_.start("fit large -o maps.exr --noise 0,0 --report report.json");
+    QVERIFY(process->waitForStarted());
+    for (int i = 0; i < 3000 && !takesInterrupts(process->processId()); ++i)
+      QThread::msleep(5);
+    QThread::msleep(400);
+    QCOMPARE(process->state(), QProcess::Running);
+    ::kill(static_cast<pid_t>(process->processId()), SIGINT);
+    QVERIFY(process->waitForFinished(20000));
+    QCOMPARE(process->exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process->exitCode(), kInterrupted);
+    QCOMPARE(process->readAllStandardError(), QByteArray("cutis-cli: interrupted\n"));
+    QVERIFY(run_.contents() == before);
+  }
+
+ private:
+  ProgramRun run_;
+  std::vector<Outcome> outcomes_;
+};
+
+CUTIS_TEST(UsageTest)
+
+}  // namespace
+}  // namespace cutis::test
+
+#include "usage_test.moc"

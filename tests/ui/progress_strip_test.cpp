@@ -1,0 +1,84 @@
+#include "ui/progress_strip.h"
+
+#include <QProgressBar>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QtTest>
+
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+QToolButton* button(ProgressStrip& strip, const QString& name) {
+  for (QToolButton* found : strip.findChildren<QToolButton*>()) {
+    if (found->accessibleName() == name) return found;
+  }
+  return nullptr;
+}
+
+class ProgressStripTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void showsTheJobWhileItRuns() {
+    ProgressStrip strip;
+    strip.resize(1200, 32);
+    strip.show();
+    auto* bar = strip.findChild<QProgressBar*>();
+    QVERIFY(!bar->isVisible());
+    strip.setJob({"Fitting", "haemoglobin", 0.62, 0.3});
+    QVERIFY(bar->isVisible() && strip.jobRuns());
+    QCOMPARE(bar->value(), 620);
+    strip.setJob({"Fitting", "", {}, {}});
+    QCOMPARE(bar->maximum(), 0);
+    strip.clearJob();
+    QVERIFY(!bar->isVisible());
+  }
+
+  void escapeCancelsThenDismisses() {
+    ProgressStrip strip;
+    strip.resize(1200, 32);
+    strip.show();
+    strip.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&strip));
+    QSignalSpy cancel(&strip, &ProgressStrip::cancelWanted);
+    strip.showMessage("The file ends early.", true);
+    strip.setJob({"Fitting", "", 0.1, {}});
+    QTest::keyClick(&strip, Qt::Key_Escape);
+    QCOMPARE(cancel.count(), 1);
+    QCOMPARE(strip.message(), QString("The file ends early."));
+    strip.clearJob();
+    QTest::keyClick(&strip, Qt::Key_Escape);
+    QCOMPARE(strip.message(), QString());
+    QCOMPARE(cancel.count(), 1);
+  }
+
+  void errorsStandBeforeNotices() {
+    ProgressStrip strip;
+    strip.show();
+    strip.showMessage("Notice", false);
+    strip.showMessage("Error", true);
+    strip.showMessage("Later notice", false);
+    QCOMPARE(strip.message(), QString("Error"));
+    QTest::mouseClick(button(strip, "Dismiss message"), Qt::LeftButton);
+    QCOMPARE(strip.message(), QString("Later notice"));
+    strip.clearMessages();
+    QVERIFY(strip.message().isEmpty());
+    QVERIFY(!button(strip, "Dismiss message")->isVisible());
+  }
+
+  void timesAreInWords() {
+    QCOMPARE(timeLeftText(0.3), QString("less than 1 s left"));
+    QCOMPARE(timeLeftText(2.2), QString("3 s left"));
+    QCOMPARE(timeLeftText(600), QString("10 min left"));
+    QCOMPARE(timeLeftText(7200), QString("2 h left"));
+  }
+};
+
+CUTIS_TEST(ProgressStripTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "progress_strip_test.moc"

@@ -1,0 +1,91 @@
+#include "ui/start_page.h"
+
+#include <QDropEvent>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "tests/support/test_registry.h"
+#include "ui/recent_list.h"
+
+namespace cutis {
+namespace {
+
+bool drop(QWidget& widget, const QList<QUrl>& urls) {
+  QMimeData data;
+  data.setUrls(urls);
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&widget, &enter);
+  if (!enter.isAccepted()) return false;
+  QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&widget, &event);
+  return event.isAccepted();
+}
+
+class StartPageTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void buttonsAsk() {
+    StartPage page;
+    QSignalSpy sample(&page, &StartPage::sampleWanted);
+    QSignalSpy capture(&page, &StartPage::captureWanted);
+    QSignalSpy image(&page, &StartPage::imageWanted);
+    const auto buttons = page.findChildren<QPushButton*>();
+    QCOMPARE(buttons.size(), 3);
+    for (QPushButton* button : buttons)
+      QTest::mouseClick(button, Qt::LeftButton);
+    QCOMPARE(sample.count() + capture.count() + image.count(), 3);
+    QCOMPARE(sample.count(), capture.count());
+  }
+
+  void oneThingDroppedIsAFile() {
+    StartPage page;
+    QSignalSpy file(&page, &StartPage::fileWanted);
+    QVERIFY(drop(page, {QUrl::fromLocalFile("/data/face patch.exr")}));
+    QCOMPARE(file.count(), 1);
+    QCOMPARE(file[0][0].toString(), QString("/data/face patch.exr"));
+  }
+
+  void severalAreOneSet() {
+    StartPage page;
+    QSignalSpy file(&page, &StartPage::fileWanted);
+    QSignalSpy files(&page, &StartPage::filesWanted);
+    QVERIFY(drop(page, {QUrl::fromLocalFile("/a.exr"), QUrl::fromLocalFile("/b.exr")}));
+    QCOMPARE(file.count(), 0);
+    QCOMPARE(files[0][0].toStringList(), QStringList({"/a.exr", "/b.exr"}));
+  }
+
+  void nothingIsFetchedFromTheNetwork() {
+    StartPage page;
+    QVERIFY(!drop(page, {QUrl("https://example.org/face.exr")}));
+  }
+
+  void recentFilesOpenByClickAndKey() {
+    StartPage page;
+    page.resize(900, 700);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    auto* list = page.findChild<RecentList*>();
+    QVERIFY(!list->isVisible());
+    page.setRecentFiles({"/data/one.cutis", "/data/two.cutis"});
+    QTRY_VERIFY(list->isVisible());
+    QSignalSpy file(&page, &StartPage::fileWanted);
+    QTRY_VERIFY(list->viewport()->rect().contains(list->visualItemRect(list->item(1)).center()));
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualItemRect(list->item(1)).center());
+    QCOMPARE(file.count(), 1);
+    QCOMPARE(file[0][0].toString(), QString("/data/two.cutis"));
+    QTest::keyClick(list, Qt::Key_Up);
+    QTest::keyClick(list, Qt::Key_Return);
+    QCOMPARE(file[1][0].toString(), QString("/data/one.cutis"));
+  }
+};
+
+CUTIS_TEST(StartPageTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "start_page_test.moc"

@@ -1,0 +1,234 @@
+#include "ui/viewport.h"
+
+#include <cmath>
+#include <memory>
+
+#include <QSignalSpy>
+#include <QWheelEvent>
+#include <QtTest>
+
+#include "tests/support/expect.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kWidth = 1600;
+constexpr int kHeight = 1200;
+
+void turnWheel(QWidget& widget, const QPointF& place, int notches) {
+  QWheelEvent event(place, widget.mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(&widget, &event);
+}
+
+class ViewportTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    view_ = std::make_unique<Viewport>();
+    view_->resize(824, 624);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    view_->setPictureSize(kWidth, kHeight);
+    moved_ = std::make_unique<QSignalSpy>(view_.get(), &Viewport::viewChanged);
+  }
+  void cleanup() {
+    moved_.reset();
+    view_.reset();
+  }
+
+  void fitsANewPicture() {
+    // 824 − 2 · 12 of margin for 1600 pixels.
+    EXPECT_NEAR(view_->zoom(), 0.5, 1e-9);
+    QVERIFY((view_->visibleRect() == Rect{0, 0, kWidth, kHeight}));
+    QCOMPARE(view_->samplingStep(), 2);
+  }
+
+  void tellsOfANewPicture() {
+    view_->setPictureSize(kWidth, kHeight);
+    QCOMPARE(moved_->count(), 1);
+    view_->clear();
+    QCOMPARE(moved_->count(), 2);
+    QVERIFY(moved_->last()[0].value<Rect>().empty());
+  }
+
+  void staysFittedWhenResized() {
+    view_->resize(424, 624);
+    QTRY_COMPARE(view_->width(), 424);
+    EXPECT_NEAR(view_->zoom(), 0.25, 1e-9);
+    QVERIFY(view_->fitted());
+    QCOMPARE(moved_->last()[1].toInt(), 4);
+  }
+
+  void wheelKeepsThePointUnderTheCursor() {
+    const QPointF place(200, 500);
+    const QPointF before = view_->toImage(place);
+    for (int i = 0; i < 12; ++i) {
+      turnWheel(*view_, place, 1);
+      const QPointF drift = (view_->toImage(place) - before) * view_->zoom();
+      // At 1 : 1 the picture lies on whole device pixels.
+      EXPECT_AT_MOST(std::hypot(drift.x(), drift.y()), 1.0);
+    }
+    QVERIFY(view_->zoom() > 4);
+  }
+
+  void wheelHaltsAtOneToOne() {
+    bool halted = false;
+    for (int i = 0; i < 8; ++i) {
+      turnWheel(*view_, {400, 300}, 1);
+      halted = halted || view_->zoom() == 1.0;
+    }
+    QVERIFY(halted);
+  }
+
+  void zoomHasLimits() {
+    for (int i = 0; i < 60; ++i)
+      turnWheel(*view_, {400, 300}, 1);
+    EXPECT_NEAR(view_->zoom(), 64, 1e-9);
+    for (int i = 0; i < 120; ++i)
+      turnWheel(*view_, {400, 300}, -1);
+    EXPECT_NEAR(view_->zoom(), 0.5 / 8, 1e-9);
+    QCOMPARE(view_->samplingStep(), 16);
+  }
+
+  void keysFitAndShowOneToOne() {
+    QTest::keyClick(view_.get(), Qt::Key_1);
+    EXPECT_NEAR(view_->zoom(), 1, 0);
+    QVERIFY(!view_->fitted());
+    QCOMPARE(view_->samplingStep(), 1);
+    QCOMPARE(view_->visibleRect().width(), 824);
+    QTest::keyClick(view_.get(), Qt::Key_F);
+    EXPECT_NEAR(view_->zoom(), 0.5, 1e-9);
+    QVERIFY(view_->fitted());
+  }
+
+  void oneToOneIsOnePixelPerPixel() {
+    QTest::keyClick(view_.get(), Qt::Key_1);
+    QImage image(kWidth, kHeight, QImage::Format_RGB32);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x)
+        image.setPixel(x, y, qRgb(x & 255, y & 255, (x + y) & 255));
+    }
+    view_->setDetail(image, {0, 0, kWidth, kHeight}, 1);
+    const QImage shown = view_->grab().toImage();
+    const Rect visible = view_->visibleRect();
+    for (const QPoint& at : {QPoint(0, 0), QPoint(411, 300), QPoint(823, 623)}) {
+      QCOMPARE(shown.pixel(at), image.pixel(visible.x0 + at.x(), visible.y0 + at.y()));
+    }
+  }
+
+  void squaresStaySharpAboveTwo() {
+    view_->setPictureSize(2, 1);
+    QImage image(2, 1, QImage::Format_RGB32);
+    image.setPixel(0, 0, qRgb(255, 0, 0));
+    image.setPixel(1, 0, qRgb(0, 0, 255));
+    view_->setDetail(image, {0, 0, 2, 1}, 1);
+    const QImage shown = view_->grab().toImage();
+    const QPoint edge = view_->toWidget({1, 0.5}).toPoint();
+    QCOMPARE(shown.pixel(edge - QPoint(2, 0)), qRgb(255, 0, 0));
+    QCOMPARE(shown.pixel(edge + QPoint(2, 0)), qRgb(0, 0, 255));
+  }
+
+  void theOverviewStandsInUntilDetailComes() {
+    QImage overview(16, 12, QImage::Format_RGB32);
+    overview.fill(qRgb(10, 200, 30));
+    view_->setOverview(overview);
+    QCOMPARE(view_->grab().toImage().pixel(412, 312), qRgb(10, 200, 30));
+    QImage detail(400, 300, QImage::Format_RGB32);
+    detail.fill(qRgb(200, 10, 30));
+    view_->setDetail(detail, {0, 0, 800, 600}, 2);
+    const QImage shown = view_->grab().toImage();
+    QCOMPARE(shown.pixel(view_->toWidget({400, 300}).toPoint()), qRgb(200, 10, 30));
+    QCOMPARE(shown.pixel(view_->toWidget({1200, 900}).toPoint()), qRgb(10, 200, 30));
+  }
+
+  void middleButtonAndSpacePan() {
+    QTest::keyClick(view_.get(), Qt::Key_1);
+    const QPointF before = view_->toWidget({0, 0});
+    drag(Qt::MiddleButton, {400, 300}, {350, 280});
+    QCOMPARE(view_->toWidget({0, 0}) - before, QPointF(-50, -20));
+    QTest::keyPress(view_.get(), Qt::Key_Space);
+    drag(Qt::LeftButton, {350, 280}, {400, 300});
+    QTest::keyRelease(view_.get(), Qt::Key_Space);
+    QCOMPARE(view_->toWidget({0, 0}), before);
+  }
+
+  void arrowsPanButNeverLoseThePicture() {
+    QTest::keyClick(view_.get(), Qt::Key_1);
+    const QPointF before = view_->toWidget({0, 0});
+    QTest::keyClick(view_.get(), Qt::Key_Right);
+    QCOMPARE(view_->toWidget({0, 0}) - before, QPointF(-64, 0));
+    for (int i = 0; i < 100; ++i)
+      QTest::keyClick(view_.get(), Qt::Key_Right);
+    QCOMPARE(view_->visibleRect().width(), 48);
+  }
+
+  void visibleRectFollowsTheStep() {
+    turnWheel(*view_, {600, 100}, -3);
+    const int step = view_->samplingStep();
+    QTest::keyClick(view_.get(), Qt::Key_Right);
+    drag(Qt::MiddleButton, {400, 300}, {100, 287});
+    const Rect visible = moved_->last()[0].value<Rect>();
+    QCOMPARE(moved_->last()[1].toInt(), step);
+    QVERIFY(visible == view_->visibleRect());
+    QCOMPARE(visible.x0 % step, 0);
+    QVERIFY(visible.x0 >= 0 && visible.x1 <= kWidth && visible.y1 <= kHeight);
+    EXPECT_AT_MOST(1.0, 1 / (view_->zoom() * step));
+  }
+
+  void saysNothingWhereNothingChanges() {
+    QTest::keyClick(view_.get(), Qt::Key_F);
+    QCOMPARE(moved_->count(), 0);
+  }
+
+  void tellsThePixelUnderTheCursor() {
+    QSignalSpy cursor(view_.get(), &Viewport::cursorMoved);
+    QSignalSpy left(view_.get(), &Viewport::cursorLeft);
+    QTest::mouseMove(view_.get(), view_->toWidget({801, 601}).toPoint());
+    QVERIFY(!cursor.isEmpty());
+    EXPECT_NEAR(cursor.last()[0].toInt(), 801, 2);
+    EXPECT_NEAR(cursor.last()[1].toInt(), 601, 2);
+    QTest::mouseMove(view_.get(), {3, 3});
+    QTest::mouseMove(view_.get(), {4, 4});
+    QCOMPARE(left.count(), 1);
+  }
+
+  void clicksNameAPixelAndDragsDoNot() {
+    QSignalSpy clicked(view_.get(), &Viewport::clicked);
+    const QPoint place = view_->toWidget({400, 300}).toPoint();
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, place);
+    QCOMPARE(clicked.count(), 1);
+    EXPECT_NEAR(clicked[0][0].toInt(), 400, 2);
+    drag(Qt::LeftButton, place, place + QPoint(60, 0));
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, {2, 2});
+    QCOMPARE(clicked.count(), 1);
+  }
+
+  void theColourBarIsDrawn() {
+    const QImage without = view_->grab().toImage();
+    view_->setColorBar(ColorBarSpec{"Melanin", "volume fraction", 0, 0.25});
+    const QImage with = view_->grab().toImage();
+    QVERIFY(without.pixel(40, 580) != with.pixel(40, 580));
+    QCOMPARE(without.pixel(600, 100), with.pixel(600, 100));
+  }
+
+ private:
+  void drag(Qt::MouseButton button, const QPoint& from, const QPoint& to) {
+    QTest::mousePress(view_.get(), button, {}, from);
+    QTest::mouseMove(view_.get(), (from + to) / 2);
+    QTest::mouseMove(view_.get(), to);
+    QTest::mouseRelease(view_.get(), button, {}, to);
+  }
+
+  std::unique_ptr<Viewport> view_;
+  std::unique_ptr<QSignalSpy> moved_;
+};
+
+CUTIS_TEST(ViewportTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "viewport_test.moc"

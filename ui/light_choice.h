@@ -1,0 +1,33 @@
+#pragma once
+
+// Under which light, and by whose eyes, the skin is shown.
+
+#include <QMetaType>
+#include <QString>
+#include <QStringList>
+
+namespace cutis {
+
+struct LightChoice {
+  enum class Kind {
+    colour,        // a light and an observer
+    ultraviolet,   // mean reflectance 300–400 nm, grey
+    nearInfrared,  // mean reflectance 700–1000 nm, grey
+  };
+
+  // Kept while a band is shown, so that the way back leads to the same light.
+  QString light;
+  QString observer;
+  Kind kind = Kind::colour;
+
+  bool operator==(const LightChoice&) const = default;
+};
+
+struct LightGroup {
+  QString title;  // "Daylight"
+  QStringList names;
+};
+
+}  // namespace cutis
+
+Q_DECLARE_METATYPE(cutis::LightChoice)

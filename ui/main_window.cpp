@@ -1,0 +1,277 @@
+#include "ui/main_window.h"
+
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include "src/app/albedo_export.h"
+#include "ui/edit_controller.h"
+#include "ui/edit_panel.h"
+#include "ui/layer_controller.h"
+#include "ui/layer_strip.h"
+#include "ui/light_catalogue.h"
+#include "ui/light_panel.h"
+#include "ui/progress_strip.h"
+#include "ui/spectrum_controller.h"
+#include "ui/spectrum_plot.h"
+#include "ui/start_page.h"
+#include "ui/theme.h"
+#include "ui/viewport.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kSidePanelWidth = 300;
+constexpr int kPlotHeight = 220;
+constexpr int kMostRecentFiles = 8;
+constexpr char kRecentFiles[] = "recentFiles";
+constexpr char kGeometry[] = "geometry";
+
+}  // namespace
+
+MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
+    : QMainWindow(parent),
+      engine_(std::move(engine)),
+      document_(std::make_unique<Document>(*engine_, jobs_)),
+      server_(std::make_unique<LayerServer>(*document_, *engine_, jobs_)),
+      pages_(new QStackedWidget(this)),
+      start_(new StartPage(this)),
+      viewport_(new Viewport(this)),
+      strip_(new LayerStrip(this)),
+      plot_(new SpectrumPlot(this)),
+      editPanel_(new EditPanel(this)),
+      lightPanel_(new LightPanel(this)),
+      progress_(new ProgressStrip(this)),
+      layers_(new LayerController(*document_, *server_, *viewport_, *strip_, this)),
+      edits_(new EditController(*document_, *editPanel_, this)),
+      spectrum_(new SpectrumController(*document_, *plot_, *progress_, this)) {
+  lightPanel_->setLights(lightGroups());
+  lightPanel_->setObservers(observerChoices());
+  pages_->addWidget(start_);
+  pages_->addWidget(makeWorkArea());
+  auto* central = new QWidget(this);
+  auto* column = new QVBoxLayout(central);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(pages_, 1);
+  column->addWidget(progress_);
+  setCentralWidget(central);
+  setAcceptDrops(true);
+  makeMenus();
+  connectJobs();
+
+  connect(start_, &StartPage::sampleWanted, this, &MainWindow::openSample);
+  connect(start_, &StartPage::captureWanted, this, &MainWindow::chooseCapture);
+  connect(start_, &StartPage::imageWanted, this, &MainWindow::chooseImage);
+  connect(start_, &StartPage::fileWanted, this, &MainWindow::openPath);
+  connect(start_, &StartPage::filesWanted, this,
+          [this](const QStringList& paths) { openPath(paths.first()); });
+  connect(viewport_, &Viewport::cursorMoved, spectrum_, &SpectrumController::pointAt);
+  connect(viewport_, &Viewport::cursorLeft, spectrum_, &SpectrumController::leave);
+  connect(lightPanel_, &LightPanel::changed, this, &MainWindow::setLight);
+  connect(layers_, &LayerController::currentChanged, this, &MainWindow::syncLight);
+  // An edit of what is on the screen must be seen.
+  connect(editPanel_, &EditPanel::factorChanged, this, [this] {
+    if (layers_->current() == LayerKind::photograph) layers_->show(LayerKind::editedAlbedo);
+  });
+  restoreSettings();
+  updateActions();
+}
+
+MainWindow::~MainWindow() { jobs_.stopAll(); }
+
+QWidget* MainWindow::makeWorkArea() {
+  plot_->setMinimumHeight(kPlotHeight / 2);
+  auto* middle = new QSplitter(Qt::Vertical, this);
+  middle->addWidget(viewport_);
+  middle->addWidget(plot_);
+  middle->setStretchFactor(0, 1);
+  middle->setSizes({2 * kPlotHeight, kPlotHeight});
+  middle->setChildrenCollapsible(false);
+
+  auto* area = new QWidget(this);
+  auto* row = new QHBoxLayout(area);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(strip_);
+  row->addWidget(middle, 1);
+  row->addWidget(makeSidePanel());
+  return area;
+}
+
+QWidget* MainWindow::makeSidePanel() {
+  auto* content = new QWidget(this);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(theme::kDoubleSpace, theme::kDoubleSpace, theme::kDoubleSpace,
+                             theme::kSpace);
+  column->setSpacing(theme::kSpace);
+  column->addWidget(editPanel_);
+  column->addSpacing(theme::kDoubleSpace);
+  column->addWidget(lightPanel_);
+  column->addStretch(1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(content);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(kSidePanelWidth);
+  return scroll;
+}
+
+void MainWindow::connectJobs() {
+  connect(&jobs_, &JobRunner::started, this, [this](JobId id, const QString& name) {
+    visibleJob_ = id;
+    visibleJobName_ = name;
+    progress_->setJob({name, {}, std::nullopt, std::nullopt});
+  });
+  connect(&jobs_, &JobRunner::progressed, this,
+          [this](JobId id, const QString& stage, double fraction, double left) {
+            if (id != visibleJob_) return;
+            progress_->setJob({visibleJobName_, stage, fraction,
+                               left < 0.0 ? std::nullopt : std::optional<double>(left)});
+          });
+  connect(&jobs_, &JobRunner::finished, this, [this](JobId id) {
+    if (id == visibleJob_) progress_->clearJob();
+    updateActions();
+  });
+  connect(progress_, &ProgressStrip::cancelWanted, this, [this] {
+    jobs_.cancel(visibleJob_);
+    progress_->showMessage(tr("%1: cancelled").arg(visibleJobName_), false);
+  });
+  const auto showError = [this](const QString& sentence) { progress_->showMessage(sentence, true); };
+  connect(document_.get(), &Document::failed, this, showError);
+  connect(server_.get(), &LayerServer::failed, this, showError);
+  connect(document_.get(), &Document::noticed, this,
+          [this](const QString& sentence) { progress_->showMessage(sentence, false); });
+  connect(document_.get(), &Document::opened, this, &MainWindow::documentOpened);
+  connect(document_.get(), &Document::fitted, this, &MainWindow::documentFitted);
+  connect(document_.get(), &Document::editsChanged, this, &MainWindow::updateActions);
+}
+
+void MainWindow::documentOpened() {
+  progress_->clearMessages();
+  setWindowTitle(tr("%1 — Cutis").arg(document_->name()));
+  pages_->setCurrentIndex(1);
+  viewport_->setFocus();
+  for (const auto& file : document_->sourceFiles()) remember(QString::fromStdString(file.string()));
+  updateActions();
+}
+
+void MainWindow::documentFitted() {
+  const FitStatistics::Pixels& pixels = document_->statistics().pixels;
+  const auto percent = [&](std::uint64_t count) {
+    return 100.0 * static_cast<double>(count) / static_cast<double>(pixels.total);
+  };
+  if (pixels.total > 0 && pixels.solved + pixels.duplicate == 0) {
+    progress_->showMessage(tr("No pixel could be fitted: all are masked, black or saturated"), true);
+  } else if (pixels.total > 0 && percent(pixels.noConvergence) > 1.0) {
+    progress_->showMessage(
+        tr("%1 % of the pixels did not settle; their values are rough")
+            .arg(percent(pixels.noConvergence), 0, 'f', 0),
+        false);
+  }
+  updateActions();
+}
+
+void MainWindow::updateActions() {
+  const bool open = document_->isOpen();
+  const UndoHistory& history = document_->history();
+  undo_->setEnabled(open && history.canUndo());
+  redo_->setEnabled(open && history.canRedo());
+  undo_->setText(history.canUndo() ? tr("&Undo %1").arg(history.undoName()) : tr("&Undo"));
+  redo_->setText(history.canRedo() ? tr("&Redo %1").arg(history.redoName()) : tr("&Redo"));
+  export_->setEnabled(open && document_->isFitted() && document_->scene().source != nullptr);
+}
+
+void MainWindow::openSample() { document_->openSample(); }
+
+void MainWindow::openPath(const QString& path) {
+  document_->open(std::filesystem::path(path.toStdString()));
+}
+
+void MainWindow::exportAlbedo(const QString& path) {
+  const std::filesystem::path file(path.toStdString());
+  jobs_.start(tr("Export %1").arg(QFileInfo(path).fileName()), [this, file, path,
+                                                                scene = document_->scene(),
+                                                                sources = document_->sourceFiles()](
+                                                                   const JobRunner::Handle& job) {
+    const auto store = std::make_shared<TileStore>(std::size_t{1} << 30);
+    const Status status = cutis::exportAlbedo(scene, *engine_, file, sources, store, job.context);
+    if (status.cancelled()) return;
+    const bool failed = status.failed();
+    const QString sentence = failed ? QString::fromStdString(status.error().text())
+                                    : tr("Written: %1").arg(path);
+    job.post([this, sentence, failed] { progress_->showMessage(sentence, failed); });
+  });
+}
+
+void MainWindow::setLight(const LightChoice& choice) {
+  lightPanel_->setChoice(choice);
+  switch (choice.kind) {
+    case LightChoice::Kind::ultraviolet:
+      return layers_->show(LayerKind::ultraviolet);
+    case LightChoice::Kind::nearInfrared:
+      return layers_->show(LayerKind::nearInfrared);
+    case LightChoice::Kind::colour:
+      break;
+  }
+  PictureRequest picture;
+  picture.light = choice.light.toStdString();
+  picture.observer = choice.observer.toStdString();
+  server_->setPicture(picture);
+  layers_->show(LayerKind::skin);
+}
+
+void MainWindow::syncLight() {
+  LightChoice choice = lightPanel_->choice();
+  choice.kind = layers_->current() == LayerKind::ultraviolet ? LightChoice::Kind::ultraviolet
+                : layers_->current() == LayerKind::nearInfrared
+                    ? LightChoice::Kind::nearInfrared
+                    : LightChoice::Kind::colour;
+  lightPanel_->setChoice(choice);
+}
+
+bool MainWindow::isIdle() const { return !jobs_.isBusy() && jobs_.isIdle() && server_->isIdle(); }
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls()) {
+    if (url.isLocalFile()) return openPath(url.toLocalFile());
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  QSettings().setValue(kGeometry, saveGeometry());
+  event->accept();
+}
+
+void MainWindow::remember(const QString& path) {
+  QSettings settings;
+  QStringList files = settings.value(kRecentFiles).toStringList();
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  files.removeAll(absolute);
+  files.prepend(absolute);
+  settings.setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
+}
+
+void MainWindow::restoreSettings() {
+  const QSettings settings;
+  QStringList existing;
+  for (const QString& file : settings.value(kRecentFiles).toStringList()) {
+    if (QFileInfo::exists(file)) existing << file;
+  }
+  start_->setRecentFiles(existing);
+  if (!restoreGeometry(settings.value(kGeometry).toByteArray())) resize(1440, 900);
+}
+
+}  // namespace cutis

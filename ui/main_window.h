@@ -1,0 +1,98 @@
+#pragma once
+
+// The editor's window: start page or the document's layers, viewport, spectrum, edits and light.
+// It owns the document and everything that works for it. Interface thread only.
+
+#include <QMainWindow>
+#include <QStringList>
+#include <memory>
+
+#include "src/app/document.h"
+#include "src/app/engine.h"
+#include "src/app/job_runner.h"
+#include "src/app/layer_server.h"
+#include "ui/light_choice.h"
+
+class QAction;
+class QStackedWidget;
+
+namespace cutis {
+
+class EditController;
+class EditPanel;
+class LayerController;
+class LayerStrip;
+class LightPanel;
+class ProgressStrip;
+class SpectrumController;
+class SpectrumPlot;
+class StartPage;
+class Viewport;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(std::unique_ptr<Engine> engine, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  void openSample();
+  void openPath(const QString& path);
+  // Writes the edited albedo in the background.
+  void exportAlbedo(const QString& path);
+  void setLight(const LightChoice& choice);
+
+  // Nothing is being read, fitted, drawn or written.
+  bool isIdle() const;
+
+  Document& document() { return *document_; }
+  LayerController& layers() { return *layers_; }
+  EditController& edits() { return *edits_; }
+  Viewport& viewport() { return *viewport_; }
+  ProgressStrip& progress() { return *progress_; }
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QWidget* makeWorkArea();
+  QWidget* makeSidePanel();
+  void makeMenus();
+  void connectJobs();
+  void documentOpened();
+  void documentFitted();
+  void updateActions();
+  void syncLight();
+  void chooseCapture();
+  void chooseImage();
+  void chooseExport();
+  void remember(const QString& path);
+  void restoreSettings();
+
+  std::unique_ptr<Engine> engine_;
+  JobRunner jobs_;
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<LayerServer> server_;
+
+  QStackedWidget* pages_;
+  StartPage* start_;
+  Viewport* viewport_;
+  LayerStrip* strip_;
+  SpectrumPlot* plot_;
+  EditPanel* editPanel_;
+  LightPanel* lightPanel_;
+  ProgressStrip* progress_;
+  LayerController* layers_;
+  EditController* edits_;
+  SpectrumController* spectrum_;
+
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+  QAction* export_ = nullptr;
+  JobId visibleJob_ = 0;
+  QString visibleJobName_;
+};
+
+}  // namespace cutis

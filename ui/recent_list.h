@@ -1,0 +1,30 @@
+#pragma once
+
+// Recent files, newest first: file name above its folder. A click or Return opens one.
+
+#include <QListWidget>
+#include <QStringList>
+
+namespace cutis {
+
+class RecentList : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit RecentList(QWidget* parent = nullptr);
+
+  // Absolute paths.
+  void setFiles(const QStringList& paths);
+
+  // As high as its files, up to eight of them.
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ Q_SIGNALS:
+  void fileChosen(const QString& path);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+};
+
+}  // namespace cutis
