@@ -10,7 +10,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kWidth = 132;
+constexpr int kWidth = 152;
 // Thumbnails keep enough pixels for a display at 2 ×.
 constexpr int kLargestRatio = 2;
 

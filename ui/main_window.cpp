@@ -5,6 +5,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSplitter>
@@ -49,6 +50,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
       editPanel_(new EditPanel(this)),
       lightPanel_(new LightPanel(this)),
       progress_(new ProgressStrip(this)),
+      exportButton_(new QPushButton(tr("Export edited albedo…"), this)),
       layers_(new LayerController(*document_, *server_, *viewport_, *strip_, this)),
       edits_(new EditController(*document_, *editPanel_, this)),
       spectrum_(new SpectrumController(*document_, *plot_, *progress_, this)) {
@@ -64,6 +66,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
   column->addWidget(progress_);
   setCentralWidget(central);
   setAcceptDrops(true);
+  exportButton_->setProperty("primary", true);
   makeMenus();
   connectJobs();
 
@@ -75,6 +78,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
           [this](const QStringList& paths) { openPath(paths.first()); });
   connect(viewport_, &Viewport::cursorMoved, spectrum_, &SpectrumController::pointAt);
   connect(viewport_, &Viewport::cursorLeft, spectrum_, &SpectrumController::leave);
+  connect(exportButton_, &QPushButton::clicked, this, &MainWindow::chooseExport);
   connect(lightPanel_, &LightPanel::changed, this, &MainWindow::setLight);
   connect(layers_, &LayerController::currentChanged, this, &MainWindow::syncLight);
   // An edit of what is on the screen must be seen.
@@ -116,6 +120,7 @@ QWidget* MainWindow::makeSidePanel() {
   column->addSpacing(theme::kDoubleSpace);
   column->addWidget(lightPanel_);
   column->addStretch(1);
+  column->addWidget(exportButton_);
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(content);
   scroll->setWidgetResizable(true);
@@ -187,7 +192,9 @@ void MainWindow::updateActions() {
   redo_->setEnabled(open && history.canRedo());
   undo_->setText(history.canUndo() ? tr("&Undo %1").arg(history.undoName()) : tr("&Undo"));
   redo_->setText(history.canRedo() ? tr("&Redo %1").arg(history.redoName()) : tr("&Redo"));
-  export_->setEnabled(open && document_->isFitted() && document_->scene().source != nullptr);
+  const bool exportable = open && document_->isFitted() && document_->scene().source != nullptr;
+  export_->setEnabled(exportable);
+  exportButton_->setEnabled(exportable);
 }
 
 void MainWindow::openSample() { document_->openSample(); }

@@ -14,6 +14,7 @@
 #include "ui/light_choice.h"
 
 class QAction;
+class QPushButton;
 class QStackedWidget;
 
 namespace cutis {
@@ -84,6 +85,7 @@ class MainWindow : public QMainWindow {
   EditPanel* editPanel_;
   LightPanel* lightPanel_;
   ProgressStrip* progress_;
+  QPushButton* exportButton_;
   LayerController* layers_;
   EditController* edits_;
   SpectrumController* spectrum_;

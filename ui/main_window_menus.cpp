@@ -34,7 +34,8 @@ void MainWindow::makeMenus() {
 
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
   undo_ = edit->addAction(tr("&Undo"), QKeySequence::Undo, this, [this] { document_->undo(); });
-  redo_ = edit->addAction(tr("&Redo"), QKeySequence::Redo, this, [this] { document_->redo(); });
+  redo_ = edit->addAction(tr("&Redo"), this, [this] { document_->redo(); });
+  redo_->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
   edit->addSeparator();
   edit->addAction(tr("Reset &all edits"), QKeySequence(tr("Ctrl+R")), this,
                   [this] { edits_->reset(); });

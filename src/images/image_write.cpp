@@ -137,7 +137,13 @@ Status writeImage(const std::filesystem::path& path, const ImageContent& content
   OIIO::ImageSpec plain = plainSpec(content, channels, format, type);
   OutputPart part{plain, {}};
   for (const std::size_t i : channels) part.channels.push_back(content.channels[i]);
-  MetadataAccess::add(content.metadata, content.keepColorProfile, part.spec);
+  bool keepProfile = content.keepColorProfile;
+  if (keepProfile && format.kind == ImageFileKind::png &&
+      !MetadataAccess::pngTakesProfile(content.metadata)) {
+    keepProfile = false;
+    context.say(place + ": PNG does not take this colour profile, which is left out; use TIFF");
+  }
+  MetadataAccess::add(content.metadata, keepProfile, part.spec);
   for (OIIO::ImageSpec* spec : {&plain, &part.spec}) {
     if (!tagColorSpace(format.kind, type, content.colorSpace, *spec) && spec == &plain &&
         !content.keepColorProfile) {

@@ -51,18 +51,17 @@ bool isPrintable(std::string_view name) {
                      [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
 }
 
-// As far as libpng looks at it (ICC.1:2010, §7.2): its length, its mark and the illuminant, which is
-// D50 in every profile. libpng tells of others on stderr, and refuses to write the file.
-bool isSoundProfile(const OIIO::ParamValue& value) {
+std::string_view profileBytes(const OIIO::ParamValue& value) {
+  return {static_cast<const char*>(value.data()), static_cast<std::size_t>(value.datasize())};
+}
+
+// Its length and its mark (ICC.1:2010, §7.2).
+bool isSoundProfile(std::string_view bytes) {
   constexpr std::size_t kHeaderBytes = 128;
-  constexpr std::string_view kMark = "acsp";
-  constexpr std::string_view kD50("\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d", 12);
-  const std::string_view bytes(static_cast<const char*>(value.data()),
-                               static_cast<std::size_t>(value.datasize()));
   if (bytes.size() <= kHeaderBytes || bytes.size() > kLargestProfileBytes) return false;
   std::size_t length = 0;
   for (const char byte : bytes.substr(0, 4)) length = length << 8 | static_cast<unsigned char>(byte);
-  return length == bytes.size() && bytes.substr(36, 4) == kMark && bytes.substr(68, 12) == kD50;
+  return length == bytes.size() && bytes.substr(36, 4) == "acsp";
 }
 
 std::size_t bytesOf(const OIIO::ParamValue& value) {
@@ -98,7 +97,7 @@ ImageMetadata MetadataAccess::from(const OIIO::ImageSpec& spec) {
   auto attributes = std::make_shared<ImageMetadata::Attributes>();
   for (const OIIO::ParamValue& value : spec.extra_attribs) {
     const std::string_view name = value.name().c_str();
-    if (name == kColorProfile && isSoundProfile(value)) {
+    if (name == kColorProfile && isSoundProfile(profileBytes(value))) {
       attributes->colorProfile.push_back(value);
     }
     if (attributes->values.size() < kMostValues && isPrintable(name) && !isStorage(name) &&
@@ -109,6 +108,12 @@ ImageMetadata MetadataAccess::from(const OIIO::ImageSpec& spec) {
   ImageMetadata metadata;
   metadata.attributes_ = std::move(attributes);
   return metadata;
+}
+
+bool MetadataAccess::pngTakesProfile(const ImageMetadata& metadata) {
+  constexpr std::string_view kD50("\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d", 12);
+  if (!metadata.hasColorProfile()) return true;
+  return profileBytes(metadata.attributes_->colorProfile.front()).substr(68, 12) == kD50;
 }
 
 void MetadataAccess::add(const ImageMetadata& metadata, bool withColorProfile,

@@ -28,7 +28,7 @@ class LayerStripTest : public QObject {
     strip.setLayers(kLayers);
     QCOMPARE(strip.current(), QString("uva"));
     QCOMPARE(chosen.count(), 0);
-    QCOMPARE(strip.width(), 132);
+    QCOMPARE(strip.width(), 152);
   }
 
   void clicksAndKeysChoose() {

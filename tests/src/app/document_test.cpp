@@ -1,0 +1,145 @@
+// Document and layer server together, on the embedded sample.
+
+#include "src/app/document.h"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "src/app/layer_server.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kPatienceMs = 120000;
+
+Command scaleMelanin(double factor, bool moving = false) {
+  return {"melanin", "melanin",
+          [factor](DocumentState& state) {
+            if (state.edits.empty()) state.edits.emplace_back();
+            state.edits.front().parameters[kMelanin].scale = factor;
+          },
+          moving};
+}
+
+class DocumentTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QSignalSpy opened(&document_, &Document::opened), maps(&document_, &Document::mapsChanged);
+    document_.openSample();
+    QVERIFY(!document_.isOpen());
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(document_.isFitted(), kPatienceMs);
+    QVERIFY(maps.count() >= 1);
+    QTRY_VERIFY(jobs_.isIdle());
+  }
+  void cleanupTestCase() { jobs_.stopAll(); }
+  void init() {
+    while (document_.history().canUndo()) document_.undo();
+    QTRY_VERIFY_WITH_TIMEOUT(jobs_.isIdle(), kPatienceMs);
+  }
+
+  void nobodyWatchesNothingIsComputed() {
+    QSignalSpy idle(&jobs_, &JobRunner::idle);
+    document_.apply(scaleMelanin(1.5));
+    QTest::qWait(30);
+    QCOMPARE(idle.count(), 0);
+    QVERIFY(jobs_.isIdle());
+  }
+
+  void aWatchIsServedWheneverItsPartChanges() {
+    QVector<LayerRequest> served;
+    const auto watch = server_.watch(0, [&](const auto& part) { served << part->request; });
+    const LayerRequest request = {LayerKind::skin, {300, 300, 400, 380}, 2};
+    watch->want(request);
+    QTRY_COMPARE(served.size(), 1);
+    QVERIFY(served[0] == request);
+    watch->want(request);  // nothing new
+    document_.apply(scaleMelanin(1.3));
+    QTRY_COMPARE(served.size(), 2);
+    server_.setPicture({"A", "cie1931", ChromaticAdaptation::none, std::nullopt});
+    QTRY_COMPARE_WITH_TIMEOUT(served.size(), 3, kPatienceMs);
+    QTest::qWait(20);
+    QCOMPARE(served.size(), 3);
+  }
+
+  void whileAControlMovesPartsAreCoarseAndThenFine() {
+    QVector<int> steps;
+    const auto watch = server_.watch(0, [&](const auto& part) { steps << part->request.step; });
+    watch->want({LayerKind::melanin, {0, 0, 512, 512}, 1});
+    QTRY_COMPARE(steps.size(), 1);
+    document_.apply(scaleMelanin(1.1, true));
+    QTRY_COMPARE(steps.size(), 2);
+    QCOMPARE(steps.last(), 2);
+    document_.apply(scaleMelanin(1.2));
+    QTRY_COMPARE(steps.size(), 3);
+    QCOMPARE(steps.last(), 1);
+  }
+
+  void aWatchThatIsGoneIsNotServed() {
+    int served = 0;
+    auto watch = server_.watch(0, [&](const auto&) { ++served; });
+    watch->want({LayerKind::skin, {0, 0, 1024, 1024}, 1});
+    watch.reset();
+    QTRY_VERIFY_WITH_TIMEOUT(jobs_.isIdle(), kPatienceMs);
+    QCOMPARE(served, 0);
+  }
+
+  // A part is what the whole picture has there, whatever its step and bands.
+  void partsAgreeWithTheMaps() {
+    std::shared_ptr<const LayerPart> part;
+    const auto watch = server_.watch(0, [&](const auto& served) { part = served; });
+    const LayerRequest request = {LayerKind::melanin, {255, 250, 600, 421}, 3};
+    watch->want(request);
+    QTRY_VERIFY(part != nullptr);
+    const Plane& plane = document_.scene().maps.values[kMelanin];
+    QCOMPARE(part->pixels.width, 115);
+    QCOMPARE(part->pixels.height, 57);
+    for (int y = 0; y < part->pixels.height; ++y) {
+      for (int x = 0; x < part->pixels.width; ++x) {
+        const int px = request.rect.x0 + 3 * x, py = request.rect.y0 + 3 * y;
+        float expected = 0.0f;
+        QVERIFY(plane.load({px, py, px + 1, py + 1}, {&expected, 1}));
+        const auto i = static_cast<std::size_t>(y * part->pixels.width + x);
+        if (part->pixels.present[i]) QCOMPARE(part->pixels.channels[0][i], expected);
+      }
+    }
+  }
+
+  void undoBringsTheEditsBack() {
+    QSignalSpy changed(&document_, &Document::editsChanged);
+    document_.apply(scaleMelanin(2.0));
+    document_.endGroup();
+    document_.apply(scaleMelanin(3.0));
+    document_.undo();
+    QCOMPARE(document_.scene().edits.front().parameters[kMelanin].scale, 2.0);
+    document_.undo();
+    QVERIFY(document_.scene().edits.empty());
+    document_.undo();  // nothing left
+    QCOMPARE(changed.count(), 4);
+  }
+
+  void aFailureLeavesWhatIsOpen() {
+    QSignalSpy failed(&document_, &Document::failed), opened(&document_, &Document::opened);
+    document_.open("no such file.exr");
+    QTRY_COMPARE(failed.count(), 1);
+    QVERIFY(failed[0][0].toString().contains("no such file.exr"));
+    QCOMPARE(opened.count(), 0);
+    QVERIFY(document_.isFitted());
+  }
+
+ private:
+  Engine engine_{std::filesystem::path()};
+  JobRunner jobs_;
+  Document document_{engine_, jobs_};
+  LayerServer server_{document_, engine_, jobs_};
+};
+
+CUTIS_TEST(DocumentTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "document_test.moc"

@@ -1,0 +1,223 @@
+// The window as a person uses it: mouse and keys, on the embedded sample.
+
+#include "ui/main_window.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QSettings>
+#include <QtTest>
+
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_registry.h"
+#include "ui/layer_controller.h"
+#include "ui/layer_strip.h"
+#include "ui/neutral_slider.h"
+#include "ui/progress_strip.h"
+#include "ui/spectrum_plot.h"
+#include "ui/viewport.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kPatienceMs = 120000;
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                       QString::fromStdString(folder_.path().string()));
+    QCoreApplication::setOrganizationName("cutis-test");
+  }
+
+  void init() {
+    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
+    window_->resize(1280, 800);
+    window_->show();
+  }
+  void cleanup() { window_.reset(); }
+
+  void theSampleOpensAndIsFitted() {
+    openSample();
+    const FitStatistics& statistics = window_->document().statistics();
+    QCOMPARE(statistics.pixels.total, 1024u * 1024u);
+    QVERIFY(statistics.pixels.solved > statistics.pixels.total / 2);
+    QVERIFY(statistics.pixels.noConvergence < statistics.pixels.total / 1000);
+    QVERIFY(window_->windowTitle().contains("Sample"));
+    // Every layer has been drawn.
+    auto* strip = window_->findChild<LayerStrip*>();
+    QCOMPARE(strip->count(), 10);
+  }
+
+  // The read-out and the spectrum follow the cursor.
+  void theCursorShowsTheSpectrum() {
+    openSample();
+    Viewport& viewport = window_->viewport();
+    QTest::mouseMove(&viewport, viewport.toWidget({500.5, 500.5}).toPoint());
+    auto* plot = window_->findChild<SpectrumPlot*>();
+    QTRY_VERIFY(plot->maximum() < 1.0);
+    const auto spectra = window_->document().spectraAt(500, 500);
+    QVERIFY(spectra.has_value());
+    QVERIFY(plot->maximum() >= spectra->original.maxCoeff());
+    // The background is no skin.
+    QVERIFY(!window_->document().spectraAt(2, 2).has_value());
+    QVERIFY(!window_->document().spectraAt(-1, 5000).has_value());
+  }
+
+  void aDraggedSliderChangesThePictureInOneStep() {
+    openSample();
+    const QImage before = window_->viewport().grab().toImage();
+    NeutralSlider* slider = sliderNamed("Melanin");
+    const QPoint middle = slider->rect().center();
+    QTest::mousePress(slider, Qt::LeftButton, {}, middle);
+    for (int x = 1; x <= 5; ++x) {
+      QTest::mouseMove(slider, middle + QPoint(8 * x, 0));
+      QTest::qWait(20);
+    }
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, middle + QPoint(40, 0));
+    waitUntilIdle();
+    QCOMPARE(window_->layers().current(), LayerKind::editedAlbedo);
+    const double factor = slider->number();
+    QVERIFY(factor > 1.1);
+    QVERIFY(window_->viewport().grab().toImage() != before);
+    const auto spectra = window_->document().spectraAt(500, 500);
+    QVERIFY(std::abs(spectra->editedParameters[kMelanin] -
+                     factor * spectra->originalParameters[kMelanin]) < 1e-6);
+
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    waitUntilIdle();
+    QCOMPARE(slider->number(), 1.0);
+    QVERIFY(!window_->document().history().canUndo());
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(slider->number(), factor);
+  }
+
+  void ultravioletIsAClickAway() {
+    openSample();
+    QAbstractButton* button = nullptr;
+    for (QAbstractButton* candidate : window_->findChildren<QAbstractButton*>()) {
+      if (candidate->text() == "UV") button = candidate;
+    }
+    QVERIFY(button != nullptr);
+    QTest::mouseClick(button, Qt::LeftButton);
+    waitUntilIdle();
+    QCOMPARE(window_->layers().current(), LayerKind::ultraviolet);
+    // Shown in grey.
+    const QImage picture = window_->viewport().grab().toImage();
+    const QPoint cheek = window_->viewport().toWidget({400, 400}).toPoint();
+    const QColor color = picture.pixelColor(cheek);
+    QCOMPARE(color.red(), color.green());
+    QCOMPARE(color.green(), color.blue());
+    QVERIFY(color.red() > 10);
+  }
+
+  void anotherLightColoursTheSkin() {
+    openSample();
+    QComboBox* lights = nullptr;
+    for (QComboBox* candidate : window_->findChildren<QComboBox*>()) {
+      if (candidate->accessibleName() == "Light source") lights = candidate;
+    }
+    QVERIFY(lights != nullptr);
+    lights->setFocus();
+    QTest::keyClicks(lights, "A");
+    waitUntilIdle();
+    QCOMPARE(lights->currentText(), "A");
+    QCOMPARE(window_->layers().current(), LayerKind::skin);
+  }
+
+  void theEditedAlbedoIsExported() {
+    openSample();
+    const QString plain = file("plain.png"), edited = file("edited.png");
+    window_->exportAlbedo(plain);
+    waitUntilIdle();
+    QTest::keyClick(sliderNamed("Melanin"), Qt::Key_PageUp);
+    waitUntilIdle();
+    window_->exportAlbedo(edited);
+    waitUntilIdle();
+    const QImage a(plain), b(edited);
+    QCOMPARE(a.size(), QSize(1024, 1024));
+    QCOMPARE(b.size(), QSize(1024, 1024));
+    QCOMPARE(a.pixel(1, 1), b.pixel(1, 1));  // background
+    QVERIFY(qGreen(b.pixel(500, 500)) < qGreen(a.pixel(500, 500)));
+    QVERIFY(window_->progress().message().contains("edited.png"));
+  }
+
+  void whatCannotBeOpenedIsToldAndChangesNothing() {
+    openSample();
+    window_->openPath(file("missing.exr"));
+    waitUntilIdle();
+    QVERIFY(window_->progress().message().contains("missing.exr"));
+    QVERIFY(window_->document().isFitted());
+    folder_.write("noise.png", "this is no picture");
+    window_->openPath(file("noise.png"));
+    waitUntilIdle();
+    QVERIFY(window_->progress().message().contains("noise.png"));
+  }
+
+  void anExportThatCannotBeWrittenIsTold() {
+    openSample();
+    window_->exportAlbedo(file("no/such/folder/a.png"));
+    waitUntilIdle();
+    QVERIFY(window_->progress().message().contains("a.png"));
+    window_->exportAlbedo(file("a.gif"));
+    waitUntilIdle();
+    QVERIFY(window_->progress().message().contains("a.gif"));
+  }
+
+  // The second opening replaces the first, wherever that was.
+  void openingAgainReplacesWhatIsUnderWay() {
+    window_->openSample();
+    QTest::qWait(30);
+    window_->openSample();
+    waitUntilIdle();
+    QVERIFY(window_->document().isFitted());
+  }
+
+  void cancellingStopsSoon() {
+    window_->openSample();
+    QTest::qWait(50);
+    Q_EMIT window_->progress().cancelWanted();
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
+    QVERIFY(!window_->document().isFitted());
+  }
+
+  void closingWhileWorkingIsSafe() {
+    window_->openSample();
+    QTest::qWait(100);
+    window_->close();
+    window_.reset();
+  }
+
+ private:
+  QString file(const std::string& name) const {
+    return QString::fromStdString((folder_ / name).string());
+  }
+  void waitUntilIdle() {
+    QTest::qWait(10);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
+  }
+  void openSample() {
+    window_->openSample();
+    waitUntilIdle();
+    QVERIFY(window_->document().isFitted());
+  }
+  NeutralSlider* sliderNamed(const QString& name) const {
+    for (NeutralSlider* slider : window_->findChildren<NeutralSlider*>()) {
+      if (slider->accessibleName() == name) return slider;
+    }
+    return nullptr;
+  }
+
+  test::ScratchFolder folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+CUTIS_TEST(MainWindowTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "main_window_test.moc"
