@@ -161,7 +161,6 @@ void MainWindow::connectJobs() {
 }
 
 void MainWindow::documentOpened() {
-  progress_->clearMessages();
   setWindowTitle(tr("%1 — Cutis").arg(document_->name()));
   pages_->setCurrentIndex(1);
   viewport_->setFocus();
@@ -197,9 +196,13 @@ void MainWindow::updateActions() {
   exportButton_->setEnabled(exportable);
 }
 
-void MainWindow::openSample() { document_->openSample(); }
+void MainWindow::openSample() {
+  progress_->clearMessages();
+  document_->openSample();
+}
 
 void MainWindow::openPath(const QString& path) {
+  progress_->clearMessages();
   document_->open(std::filesystem::path(path.toStdString()));
 }
 

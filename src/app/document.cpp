@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "core/skin/parameter_buffer.h"
+#include "src/app/exposure.h"
+#include "src/files/csv.h"
 #include "src/files/profile_file.h"
 #include "src/images/capture_file.h"
 #include "src/images/maps_file.h"
@@ -31,17 +33,34 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
 
 void Document::openSample() {
   startOpening(tr("Sample face patch"), {},
-               [store = store()](const SkinModel& model, const JobContext& context) {
-                 return cutis::openSample(model, store, context);
+               [store = store()](const auto& model, const JobContext& context) {
+                 return cutis::openSample(*model, store, context);
                });
 }
 
 void Document::open(const std::filesystem::path& path) {
   if (!looksLikeCapture(path) && isMapsFile(path)) return openMaps(path);
   startOpening(QString::fromStdString(path.filename().string()), {path},
-               [path, store = store()](const SkinModel& model, const JobContext& context) {
-                 return openSource(path, {}, model, store, context);
+               [this, path](const auto& model, const JobContext& context) {
+                 return openExposed(path, model, context);
                });
+}
+
+Result<Source> Document::openExposed(const std::filesystem::path& path,
+                                     const std::shared_ptr<const SkinModel>& model,
+                                     const JobContext& context) {
+  CUTIS_TRY(source, openSource(path, {}, *model, store_, context.child(0.0, 0.4)));
+  if (!source.image) return std::move(source);
+  const Measurements& measurements = source.measurements;
+  CUTIS_TRY(solver, engine_.solver(model, measurements.rig, {}, context.child(0.4, 0.5)));
+  CUTIS_TRY(choice, chooseExposure(measurements, *solver, context.child(0.5, 0.6, "exposure")));
+  if (choice.exposure == 1.0) return std::move(source);
+  SourceOptions exposed;
+  exposed.exposure = choice.exposure;
+  context.say("Read at exposure " + formatNumber(choice.exposure, 3) + ", which brings " +
+              formatNumber(100.0 * choice.inside, 2) +
+              " % of the texture into the range of skin colours");
+  return openSource(path, exposed, *model, store_, context.child(0.6, 1.0));
 }
 
 void Document::startOpening(const QString& name, std::vector<std::filesystem::path> files,
@@ -58,7 +77,7 @@ void Document::startOpening(const QString& name, std::vector<std::filesystem::pa
     };
     const auto model = engine_.model(kDefaultProfile, {});
     if (model.failed()) return fail(model.error());
-    auto source = open(*model.value(), context.child(0.0, 1.0, "reading"));
+    auto source = open(model.value(), context.child(0.0, 1.0, "reading"));
     if (source.failed()) return fail(source.error());
     if (!source) return;
     auto shared = std::make_shared<const Source>(std::move(source).value());

@@ -90,9 +90,14 @@ class Document : public QObject {
   void noticed(const QString& sentence);
 
  private:
-  using Opener = std::function<Result<Source>(const SkinModel&, const JobContext&)>;
+  using Opener = std::function<Result<Source>(const std::shared_ptr<const SkinModel>& model,
+                                              const JobContext& context)>;
 
   void startOpening(const QString& name, std::vector<std::filesystem::path> files, Opener open);
+  // An albedo texture comes with the exposure that brings most of it into the model's range.
+  Result<Source> openExposed(const std::filesystem::path& path,
+                             const std::shared_ptr<const SkinModel>& model,
+                             const JobContext& context);
   void openMaps(const std::filesystem::path& path);
   void take(Scene scene, const QString& name, std::vector<std::filesystem::path> files);
   void startFit();
