@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "core/fit/coarse_fit.h"
 #include "core/skin/parameter_buffer.h"
 #include "src/app/exposure.h"
 #include "src/files/csv.h"
@@ -150,8 +151,12 @@ void Document::startFit() {
         if (!mapsTimer_.isActive()) mapsTimer_.start();
       });
     };
+    const Status coarse = runCoarseFit(measurements, *solver.value(), scene.maps,
+                                       job.context.child(0.1, 0.15, "first impression"),
+                                       observer.finished);
+    if (coarse.failed()) return fail(coarse.error());
     const auto statistics = runFit(measurements, *solver.value(), planes,
-                                   job.context.child(0.1, 1.0, solver.value()->stage()), observer);
+                                   job.context.child(0.15, 1.0, solver.value()->stage()), observer);
     if (statistics.failed()) return fail(statistics.error());
     if (!statistics) return;
     job.post([this, result = statistics.value()] {

@@ -1,0 +1,121 @@
+#include "core/fit/coarse_fit.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/skin/pixel_state.h"
+
+namespace cutis {
+namespace {
+
+bool isToSolve(float state) {
+  return static_cast<PixelState>(static_cast<int>(state)) == PixelState::solved;
+}
+
+// The first pixel of every block of a tile.
+struct BlockGrid {
+  explicit BlockGrid(const Rect& tile)
+      : rect(tile),
+        columns(static_cast<std::size_t>((tile.width() + kCoarseBlock - 1) / kCoarseBlock)),
+        rows(static_cast<std::size_t>((tile.height() + kCoarseBlock - 1) / kCoarseBlock)) {}
+
+  Rect rect;
+  std::size_t columns;
+  std::size_t rows;
+
+  std::size_t count() const { return columns * rows; }
+  std::size_t blockOf(std::size_t pixel) const {
+    const auto width = static_cast<std::size_t>(rect.width());
+    return pixel / width / kCoarseBlock * columns + pixel % width / kCoarseBlock;
+  }
+};
+
+Status loadFirstPixels(const Plane& plane, const BlockGrid& grid, std::vector<float>& values) {
+  std::vector<float> line(static_cast<std::size_t>(grid.rect.width()));
+  for (int y = grid.rect.y0; y < grid.rect.y1; y += kCoarseBlock) {
+    CUTIS_CHECK(plane.load({grid.rect.x0, y, grid.rect.x1, y + 1}, line));
+    for (std::size_t c = 0; c < grid.columns; ++c) values.push_back(line[c * kCoarseBlock]);
+  }
+  return {};
+}
+
+// Values per block, and whether there are any.
+struct BlockValues {
+  std::vector<float> parameters;  // [parameter][block]
+  std::vector<char> known;
+};
+
+Result<BlockValues> solveBlocks(const Measurements& measurements, const PixelSolver& solver,
+                                const BlockGrid& grid) {
+  std::vector<float> states, loaded;
+  CUTIS_CHECK(loadFirstPixels(measurements.state, grid, states));
+  for (const Plane& plane : measurements.channels) {
+    CUTIS_CHECK(loadFirstPixels(plane, grid, loaded));
+  }
+  const std::size_t channelCount = measurements.channels.size();
+  std::vector<std::size_t> blocks;
+  std::vector<float> pixel(channelCount);
+  for (std::size_t b = 0; b < grid.count(); ++b) {
+    for (std::size_t k = 0; k < channelCount; ++k) pixel[k] = loaded[k * grid.count() + b];
+    if (isToSolve(states[b]) && classify(pixel, 1.0f, false) == PixelState::solved) {
+      blocks.push_back(b);
+    }
+  }
+  std::vector<float> channels, parameters(kParameterCount * blocks.size());
+  for (std::size_t k = 0; k < channelCount; ++k) {
+    for (const std::size_t b : blocks) channels.push_back(loaded[k * grid.count() + b]);
+  }
+  std::vector<std::uint8_t> solvedStates(blocks.size());
+  std::vector<std::uint16_t> iterations(blocks.size());
+  solver.solve({blocks.size(), blocks.size(), channels.data(), parameters.data()},
+               {solvedStates.data(), iterations.data()});
+  BlockValues values;
+  values.parameters.resize(kParameterCount * grid.count());
+  values.known.resize(grid.count(), 0);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    values.known[blocks[i]] = 1;
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      values.parameters[k * grid.count() + blocks[i]] = parameters[k * blocks.size() + i];
+    }
+  }
+  return values;
+}
+
+Status fillTile(const Measurements& measurements, const BlockGrid& grid, const BlockValues& values,
+                ChromophoreMaps& maps) {
+  std::vector<float> states(grid.rect.pixelCount()), plane(states.size());
+  CUTIS_CHECK(measurements.state.load(grid.rect, states));
+  // Nothing is known yet of a pixel whose block is not.
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (isToSolve(states[i]) && values.known[grid.blockOf(i)] == 0) {
+      states[i] = static_cast<float>(PixelState::masked);
+    }
+  }
+  for (std::size_t k = 0; k < kParameterCount; ++k) {
+    for (std::size_t i = 0; i < plane.size(); ++i) {
+      plane[i] = isToSolve(states[i]) ? values.parameters[k * grid.count() + grid.blockOf(i)] : 0.0f;
+    }
+    CUTIS_CHECK(maps.values[k].store(grid.rect, plane));
+  }
+  return maps.state.store(grid.rect, states);
+}
+
+}  // namespace
+
+Status runCoarseFit(const Measurements& measurements, const PixelSolver& solver,
+                    ChromophoreMaps maps, const JobContext& context,
+                    const std::function<void(const Rect&)>& finished) {
+  const auto tileCount = static_cast<std::size_t>(maps.state.tileCount());
+  return parallelFor(tileCount, context, [&](std::size_t i) -> Status {
+    const BlockGrid grid(maps.state.tileRect(static_cast<int>(i)));
+    CUTIS_TRY(values, solveBlocks(measurements, solver, grid));
+    CUTIS_CHECK(fillTile(measurements, grid, values, maps));
+    if (finished) finished(grid.rect);
+    return {};
+  });
+}
+
+}  // namespace cutis
