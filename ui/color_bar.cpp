@@ -3,6 +3,7 @@
 #include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/axis_ticks.h"
 #include "ui/theme.h"
@@ -10,7 +11,7 @@
 namespace cutis {
 namespace {
 
-constexpr qreal kBarWidth = 220;
+constexpr qreal kSmallestWidth = 220;
 constexpr qreal kBarHeight = 12;
 constexpr qreal kPadding = 10;
 constexpr qreal kTickLength = 4;
@@ -32,7 +33,11 @@ QRectF drawColorBar(QPainter& painter, const QFont& font, const QPointF& lowerLe
   const qreal line = metrics.height();
   const qreal gap = theme::kHalfSpace;
   const qreal height = 2 * kPadding + line + gap + kBarHeight + kTickLength + gap / 2 + line;
-  const QRectF backdrop(lowerLeft.x(), lowerLeft.y() - height, kBarWidth + 2 * kPadding, height);
+  // Name and unit stand side by side.
+  const qreal width = std::max(kSmallestWidth, QFontMetricsF(bold).horizontalAdvance(spec.name) +
+                                                   theme::kDoubleSpace +
+                                                   metrics.horizontalAdvance(spec.unit));
+  const QRectF backdrop(lowerLeft.x(), lowerLeft.y() - height, width + 2 * kPadding, height);
   const QRectF inside = backdrop.adjusted(kPadding, kPadding, -kPadding, -kPadding);
 
   painter.save();
@@ -50,7 +55,7 @@ QRectF drawColorBar(QPainter& painter, const QFont& font, const QPointF& lowerLe
   painter.setPen(theme::tones().dimText);
   painter.drawText(title, Qt::AlignRight | Qt::AlignVCenter, spec.unit);
 
-  const QRectF bar(inside.left(), title.bottom() + gap, kBarWidth, kBarHeight);
+  const QRectF bar(inside.left(), title.bottom() + gap, width, kBarHeight);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
   painter.drawImage(bar, imageOf(ColorScale::of(spec.scale)));
 

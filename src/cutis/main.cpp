@@ -4,8 +4,10 @@
 #include <QCommandLineParser>
 #include <QSettings>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 #include "core/base/instruction_set.h"
 #include "src/files/platform.h"
@@ -18,6 +20,7 @@ namespace {
 
 constexpr int kBadUsage = 2;
 constexpr int kBadInput = 3;
+constexpr int kNoDisplay = 4;
 constexpr int kIdleCheckMs = 20;
 
 struct Arguments {
@@ -96,9 +99,21 @@ int runEditor(QApplication& application, const Arguments& arguments) {
   return application.exec();
 }
 
+// Without a display Qt would end the process with an abort.
+bool hasDisplay() {
+  const char* names[] = {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"};
+  return std::any_of(std::begin(names), std::end(names), qEnvironmentVariableIsSet);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef Q_OS_LINUX
+  if (!hasDisplay()) {
+    return fail(kNoDisplay, "there is no display to open a window on; use cutis-cli, or set "
+                            "QT_QPA_PLATFORM=offscreen for --screenshot");
+  }
+#endif
   QApplication application(argc, argv);
   QCoreApplication::setApplicationName("cutis");
   QCoreApplication::setOrganizationName("cutis");
