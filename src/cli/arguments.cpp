@@ -10,8 +10,8 @@
 namespace cutis {
 namespace {
 
-constexpr std::array<std::string_view, 8> kLaterCommands = {
-    "measure", "fit-spectra", "export", "rig", "train", "calibrate-profile", "validate", "bench"};
+constexpr std::array<std::string_view, 6> kLaterCommands = {
+    "measure", "export", "rig", "train", "calibrate-profile", "validate"};
 
 struct LaterOption {
   std::string_view command;

@@ -22,6 +22,7 @@ struct Session {
   Engine& engine;
   std::shared_ptr<TileStore> store;
   JobContext context;
+  bool quiet = false;
 };
 
 struct Invocation {
@@ -43,11 +44,13 @@ CLI::App& addCommand(CLI::App& app, Invocation& invocation, const char* name, co
 }
 
 void addFitCommand(CLI::App& app, Invocation& invocation);
+void addFitSpectraCommand(CLI::App& app, Invocation& invocation);
 void addEditCommand(CLI::App& app, Invocation& invocation);
 void addRenderCommand(CLI::App& app, Invocation& invocation);
 void addApplyCommand(CLI::App& app, Invocation& invocation);
 void addSpectrumCommand(CLI::App& app, Invocation& invocation);
 void addSimulateCommand(CLI::App& app, Invocation& invocation);
+void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addInfoCommand(CLI::App& app, Invocation& invocation);
 
 }  // namespace cutis

@@ -60,7 +60,8 @@ std::unique_ptr<CLI::App> makeCommandLine(Invocation& invocation) {
   app->footer(kFooter);
   app->require_subcommand(1);
   for (const auto add : {addFitCommand, addEditCommand, addRenderCommand, addApplyCommand,
-                         addSpectrumCommand, addSimulateCommand, addInfoCommand}) {
+                         addSpectrumCommand, addFitSpectraCommand, addSimulateCommand,
+                         addBenchCommand, addInfoCommand}) {
     add(*app, invocation);
   }
   return app;
@@ -93,7 +94,8 @@ Status run(const Invocation& invocation, Console& console) {
   }
   onInterrupt([] { interruption().request_stop(); });
   Engine engine(cacheFolder());
-  Session session = {engine, std::make_shared<TileStore>(kPictureMemoryBytes), {}};
+  Session session = {engine, std::make_shared<TileStore>(kPictureMemoryBytes), {},
+                     invocation.common.quiet};
   session.context.stop = interruption().get_token();
   session.context.progress = Progress(
       [&console](double fraction, const std::string& stage) { console.progress(fraction, stage); });

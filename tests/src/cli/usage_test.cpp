@@ -47,6 +47,11 @@ const std::vector<Case> kCases = {
     {"render a.exr -o b.png --scatter", "--scatter: not in this version"},
     {"edit a.exr -o b.exr --preset c", "--preset: not in this version"},
     {"apply a.cutis -o b.png", "a.cutis: projects are not in this version"},
+    {"fit-spectra a.csv -o b.csv --specular included",
+     "--specular: included is not in this version"},
+    {"fit-spectra a.csv -o b.csv --range 400-700", "--range: '400-700' is no range"},
+    {"fit-spectra a.csv -o b.csv --range 700:400", "--range: '700:400' is empty"},
+    {"fit-spectra a.csv -o b.csv --range 200:700", "--range: 200 is out of range"},
     {"spectrum --specular included", "--specular: not in this version"},
 };
 
@@ -66,7 +71,8 @@ class UsageTest : public QObject {
     const Outcome all = run_.run("--help");
     EXPECT_DONE(all);
     for (const char* command :
-         {"fit", "edit", "render", "apply", "spectrum", "simulate", "info", "Exit status"}) {
+         {"fit", "edit", "render", "apply", "spectrum", "fit-spectra", "simulate", "bench", "info",
+          "Exit status"}) {
       QVERIFY2(all.output.find(command) != std::string::npos, command);
     }
     const Outcome fit = run_.run("fit --help");

@@ -1,0 +1,152 @@
+// bench: the error protocol, and time and memory of whole pictures.
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "core/base/instruction_set.h"
+#include "src/cli/bench_pictures.h"
+#include "src/cli/bench_plot.h"
+#include "src/cli/bench_report.h"
+#include "src/cli/bench_table.h"
+#include "src/cli/command.h"
+#include "src/cli/option_values.h"
+#include "src/cli/output_check.h"
+#include "src/files/platform.h"
+#include "src/files/profile_file.h"
+#include "src/files/rig_file.h"
+#include "src/files/spectral_library.h"
+
+namespace cutis {
+namespace {
+
+constexpr char kRig[] = "monitor";
+constexpr int kFewestPixels = 100;
+constexpr int kMostPixels = 1000000;
+constexpr std::size_t kSubsample = 2000;
+
+struct BenchCommand {
+  bool quick = false;
+  std::string pixels;
+  std::string profile;
+  std::string report;
+  std::string plot;
+};
+
+// How much is run.
+struct Extent {
+  int pixels;
+  std::size_t subsample;
+  double timingSeconds;
+  PictureSeries pictures;
+};
+
+Extent extentOf(bool quick) {
+  if (quick) return {4000, 400, 0.1, {{512, 1024}, 512, 1024}};
+  return {20000, kSubsample, 0.5, {{512, 1024, 2048, 4096}, 2048, 2048}};
+}
+
+Status checkOutputs(const BenchCommand& command) {
+  CUTIS_CHECK(checkDistinct(command.plot, command.report));
+  if (!command.report.empty()) CUTIS_CHECK(checkTextOutput(command.report, {command.profile}));
+  if (command.plot.empty()) return {};
+  if (std::filesystem::path(command.plot).extension() != ".svg")
+    return usageError(command.plot, "the plot is written as SVG; name the file with .svg");
+  return checkTextOutput(command.plot, {command.profile});
+}
+
+// The protocol's people must be skin of the profile.
+Status checkRanges(const Profile& profile) {
+  const ParameterBox box = protocolPopulation();
+  for (const Parameter parameter : kParameters) {
+    if (box.high[parameter] > profile.axes[static_cast<std::size_t>(parameter)].maximum) {
+      return inputError(profile.name, "the range of " + std::string(parameterName(parameter)) +
+                                          " does not hold the population of the error protocol; "
+                                          "use another profile");
+    }
+  }
+  return {};
+}
+
+Result<std::shared_ptr<const ErrorMeter>> makeMeter(const SkinModel& model) {
+  CUTIS_TRY(d65, loadLight({"D65", {}, {}}));
+  CUTIS_TRY(a, loadLight({"A", {}, {}}));
+  CUTIS_TRY(observer, loadCamera({"cie1931", {}, {}}));
+  return std::make_shared<const ErrorMeter>(model, d65, a, observer.sensor);
+}
+
+Status printTables(const BenchFigures& figures) {
+  const std::string text = benchTables(figures);
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
+    return {};
+  }
+  return resourceError("standard output", "the tables could not be written");
+}
+
+Status runBenchCommand(const BenchCommand& command, Session& session) {
+  Extent extent = extentOf(command.quick);
+  if (!command.pixels.empty()) {
+    CUTIS_TRY(pixels, wholeNumber("--pixels", command.pixels, kFewestPixels, kMostPixels));
+    extent.pixels = pixels;
+  }
+  CUTIS_CHECK(checkOutputs(command));
+  const std::string profile = command.profile.empty() ? kDefaultProfile : command.profile;
+  CUTIS_TRY(model, session.engine.model(profile, "--profile"));
+  CUTIS_CHECK(checkRanges(model->profile()));
+  CUTIS_TRY(rig, loadRig(kRig, {}, "--rig"));
+  CUTIS_TRY(meter, makeMeter(*model));
+  const auto pixels = static_cast<std::size_t>(extent.pixels);
+  const BenchSubject subject = {
+      model, rig, meter, pixels, std::min(pixels, extent.subsample), extent.timingSeconds};
+
+  BenchFigures figures;
+  figures.version = CUTIS_VERSION;
+  figures.processor = processorName();
+  figures.instructionSet = instructionSetName();
+  figures.threads = allowedThreads();
+  figures.profile = model->profile().name;
+  figures.rig = rig.name;
+  figures.pixels = subject.pixels;
+  figures.subsample = subject.subsample;
+  figures.quick = command.quick;
+  BenchSolvers solvers(session, model, rig);
+  const JobContext& context = session.context;
+  CUTIS_CHECK(
+      runErrorProtocol(subject, session, solvers, context.child(0.0, 0.5, "errors"), figures));
+  CUTIS_CHECK(
+      runErrorStudies(subject, session, solvers, context.child(0.5, 0.6, "comparing"), figures));
+  CUTIS_CHECK(runPictures(subject, extent.pictures, session, solvers,
+                          context.child(0.6, 1.0, "whole pictures"), figures));
+  if (!command.report.empty()) CUTIS_CHECK(writeBenchReport(command.report, figures));
+  if (!command.plot.empty()) CUTIS_CHECK(writeBenchPlot(command.plot, figures));
+  return printTables(figures);
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<BenchCommand>();
+  CLI::App& command =
+      addCommand(app, invocation, "bench",
+                 "Errors and speed of all methods on simulated skin of a monitor rig", options,
+                 runBenchCommand);
+  command.add_flag("--quick", options->quick,
+                   "Fewer pixels and smaller pictures: less than a minute on two cores");
+  command
+      .add_option("--pixels", options->pixels,
+                  "Pixels to judge errors by, from 100 (default: 20000, quick: 4000); at most 2000 "
+                  "of them, quick: 400, for the exhaustive searches")
+      ->type_name("N");
+  command
+      .add_option("--profile", options->profile,
+                  "Skin model: a built-in name or a JSON file (default: li2024)")
+      ->type_name("NAME|FILE");
+  command.add_option("--report", options->report, "JSON file to write with all figures")
+      ->type_name("FILE");
+  command
+      .add_option("--plot", options->plot,
+                  "SVG picture to write of run time against error, with the paper's figures")
+      ->type_name("FILE.svg");
+}
+
+}  // namespace cutis

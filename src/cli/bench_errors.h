@@ -1,0 +1,40 @@
+#pragma once
+
+// The error protocol of FITTING.md, run: methods at all noises, the bound, coverage, and what
+// changes with lights, parameters and file formats. Fills the figures; deterministic but for times.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/simulate/error_metrics.h"
+#include "src/cli/bench_figures.h"
+
+namespace cutis {
+
+inline constexpr std::array<double, 5> kBenchNoises = {0.0, 0.001, 0.002, 0.005, 0.01};
+// Where a single noise must do: the built-in rigs' own.
+inline constexpr double kUsualNoise = 0.005;
+
+// People of the protocol, the same in all its parts.
+std::vector<ParameterVector> benchPeople(std::size_t count);
+
+struct BenchSubject {
+  std::shared_ptr<const SkinModel> model;
+  Rig rig;
+  std::shared_ptr<const ErrorMeter> meter;
+  std::size_t pixels = 20000;
+  std::size_t subsample = 2000;  // of the exhaustive searches
+  double timingSeconds = 0.3;    // per method and noise
+};
+
+// bounds, methods, sample and speedRatio.
+Status runErrorProtocol(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
+                        const JobContext& context, BenchFigures& figures);
+
+// coverage, lights, parameters and encodings.
+Status runErrorStudies(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
+                       const JobContext& context, BenchFigures& figures);
+
+}  // namespace cutis

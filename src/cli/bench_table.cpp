@@ -1,0 +1,211 @@
+#include "src/cli/bench_table.h"
+
+#include <cmath>
+
+#include "src/cli/bench_errors.h"
+#include "src/cli/console.h"
+#include "src/cli/text_table.h"
+#include "src/files/csv.h"
+
+namespace cutis {
+namespace {
+
+std::string percent(double share) {
+  return formatNumber(100.0 * share, 3) + " %";
+}
+
+std::string pair(double a, double b) {
+  return fixedNumber(a, 2) + "/" + fixedNumber(b, 2);
+}
+
+std::string rounded(double value) {
+  return fixedNumber(value, value < 100.0 ? 1 : 0);
+}
+
+// A method measured on the subsample has a mark.
+std::string labelOf(BenchMethod method) {
+  return std::string(methodLabel(method)) + (isExhaustive(method) ? " *" : "");
+}
+
+std::string heading(const std::string& text) {
+  return "\n" + text + "\n";
+}
+
+std::string header(const BenchFigures& figures) {
+  std::string text = "cutis-cli " + figures.version + " bench";
+  if (figures.quick) text += " --quick";
+  text += ": " + (figures.processor.empty() ? "unknown processor" : figures.processor) + ", " +
+          figures.instructionSet + ", " + std::to_string(figures.threads) + " threads\n";
+  text += "profile " + figures.profile + ", rig " + figures.rig + ", " +
+          std::to_string(figures.pixels) + " pixels of the error protocol; those marked * " +
+          std::to_string(figures.subsample) + ", their times a pixel scaled from these\n";
+  text +=
+      "MSE: mean squared error of reflectance; vis 400-700 nm, UV 300-400 nm, NIR 700-1000 nm.\n"
+      "dE: CIEDE2000, median/95 %. A refined fit is told the noise, at 0 it assumes the rig's.\n";
+  return text;
+}
+
+std::string errorTable(const std::vector<MethodFigures>& methods) {
+  TextTable table({"method", "noise", "vis MSE", "/bound", "UV MSE", "NIR MSE", "dE D65", "dE A",
+                   "ns/pixel", "steps"});
+  std::optional<BenchMethod> last;
+  for (const MethodFigures& row : methods) {
+    const ErrorSummary& errors = row.errors;
+    table.add({last == row.method ? "" : labelOf(row.method), percent(row.noise),
+               shortScientific(errors.visibleMse),
+               row.overBound ? fixedNumber(*row.overBound, 2) : "",
+               shortScientific(errors.ultravioletMse), shortScientific(errors.nearInfraredMse),
+               pair(errors.medianDeltaE_D65, errors.deltaE95_D65),
+               pair(errors.medianDeltaE_A, errors.deltaE95_A), rounded(row.nanosecondsPerPixel),
+               isRefined(row.method) ? fixedNumber(row.meanIterations, 1) : ""});
+    last = row.method;
+  }
+  return table.text();
+}
+
+std::string boundTable(const BenchFigures& figures) {
+  TextTable table({"noise", "vis", "as designed", "UV", "NIR"});
+  for (const BoundFigures& row : figures.bounds) {
+    table.add({percent(row.noise), shortScientific(row.bound.visible),
+               row.printed ? shortScientific(*row.printed) : "",
+               shortScientific(row.bound.ultraviolet), shortScientific(row.bound.nearInfrared)});
+  }
+  return table.text();
+}
+
+std::string publishedTable() {
+  TextTable table({"paper, Titan X", "vis MSE, no noise", "2048²"});
+  for (const PublishedFigures& row : kPublished) {
+    table.add({row.method, shortScientific(row.visibleMse),
+               row.secondsFor2048 < 60.0 ? formatNumber(row.secondsFor2048, 3) + " s"
+                                         : durationText(row.secondsFor2048)});
+  }
+  return table.text();
+}
+
+std::string parameterTable(const BenchFigures& figures) {
+  std::vector<std::string> head = {"method"};
+  for (const Parameter parameter : kParameters)
+    head.emplace_back(parameterSymbol(parameter));
+  TextTable table(head);
+  for (const MethodFigures& row : figures.methods) {
+    if (row.noise != kUsualNoise) continue;
+    std::vector<std::string> cells = {labelOf(row.method)};
+    for (const double rmse : row.errors.parameterRmse)
+      cells.push_back(formatNumber(rmse, 3));
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string toneTable(const BenchFigures& figures) {
+  std::vector<std::string> head = {"method"};
+  for (int tone = 0; tone < kToneCount; ++tone)
+    head.emplace_back(toneName(tone));
+  TextTable table(head);
+  bool counted = false;
+  for (const MethodFigures& row : figures.methods) {
+    if (row.noise != kUsualNoise) continue;
+    std::vector<std::string> counts = {"pixels"}, cells = {labelOf(row.method)};
+    for (const ErrorSummary& tone : row.tones) {
+      counts.push_back(std::to_string(tone.pixels));
+      cells.push_back(tone.pixels == 0 ? "-"
+                                       : shortScientific(tone.visibleMse) + "  dE " +
+                                             fixedNumber(tone.medianDeltaE_D65, 2));
+    }
+    if (!counted) table.add(counts);
+    counted = true;
+    table.add(cells);
+  }
+  return table.text();
+}
+
+std::string coverageTable(const BenchFigures& figures) {
+  std::vector<std::string> head = {"prior, where"};
+  for (const Parameter parameter : kParameters)
+    head.emplace_back(parameterSymbol(parameter));
+  TextTable table(head);
+  const auto row = [&](const std::string& name, const auto& counts) {
+    std::vector<std::string> cells = {name};
+    for (const Coverage::Count& count : counts) {
+      cells.push_back(count.pixels == 0 ? "-"
+                                        : fixedNumber(100.0 * count.share(), 1) + " % of " +
+                                              std::to_string(count.pixels));
+    }
+    table.add(cells);
+  };
+  for (const CoverageFigures& figure : figures.coverage) {
+    row(figure.prior + ", measured", figure.coverage.measured);
+    row(figure.prior + ", elsewhere", figure.coverage.assumed);
+  }
+  return table.text();
+}
+
+std::string variantTable(const std::vector<VariantFigures>& variants, const std::string& name) {
+  TextTable table({name, "noise", "vis MSE", "UV MSE", "UV RMSE", "UV bound", "dE D65"});
+  for (const VariantFigures& row : variants) {
+    table.add({row.variant, percent(row.noise), shortScientific(row.errors.visibleMse),
+               shortScientific(row.errors.ultravioletMse),
+               fixedNumber(std::sqrt(row.errors.ultravioletMse), 4),
+               row.bound ? shortScientific(row.bound->ultraviolet) : "",
+               pair(row.errors.medianDeltaE_D65, row.errors.deltaE95_D65)});
+  }
+  return table.text();
+}
+
+std::string pictureTable(const std::vector<PictureFigures>& pictures) {
+  TextTable table({"picture", "method", "threads", "seconds", "ns/pixel", "solved", "equal",
+                   "steps", "memory so far"},
+                  2);
+  for (const PictureFigures& row : pictures) {
+    const double pixels = static_cast<double>(row.size) * row.size;
+    table.add({std::to_string(row.size) + "² " + row.content, methodLabel(row.method),
+               std::to_string(row.threads),
+               (row.scaled ? "~" : "") + fixedNumber(row.seconds, row.seconds < 100.0 ? 3 : 0),
+               rounded(1e9 * row.seconds / pixels), row.scaled ? "" : std::to_string(row.solved),
+               row.scaled ? "" : std::to_string(row.duplicate),
+               row.scaled || !isRefined(row.method) ? "" : fixedNumber(row.meanIterations, 1),
+               row.scaled ? "" : std::to_string(row.peakMemoryBytes >> 20) + " MB"});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+std::string benchTables(const BenchFigures& figures) {
+  const std::string usual = "at " + percent(kUsualNoise) + " noise";
+  std::string text = header(figures);
+  text +=
+      heading("Errors, pixels drawn from the protocol's population") + errorTable(figures.methods);
+  if (figures.speedRatio) {
+    text += "  three stages, exhaustive, over refined, wide prior, " + usual + ": " +
+            formatNumber(*figures.speedRatio, 3) + " times the time\n";
+  }
+  text += heading("What the paper published") + publishedTable();
+  text += heading("Bayesian Cramér-Rao bound of the MSE") + boundTable(figures);
+  text += heading("Errors, pixels of the sample") + errorTable(figures.sample);
+  text += heading("Root mean square errors of parameters, " + usual) + parameterTable(figures);
+  text +=
+      heading("Vis MSE and median dE D65 by skin tone (ITA° over 41, 10, -30, below), " + usual) +
+      toneTable(figures);
+  text += heading("Truth within two posterior deviations, " + usual +
+                  ", people drawn from the prior; measured: where the deviation is below half the "
+                  "prior's") +
+          coverageTable(figures);
+  if (!figures.lights.empty()) {
+    text += heading("White light alone against all lights (paper: Fig. 12, pictures only)") +
+            variantTable(figures.lights, "lights");
+  }
+  text += heading(
+              "Carotene held at 0 against five parameters (paper: Fig. 13, RMSE 0.0311 of a "
+              "photograph with four, 0.0164 with five)") +
+          variantTable(figures.parameters, "parameters");
+  text += heading("Kinds of input, refined fit with the population's prior") +
+          variantTable(figures.encodings, "input");
+  text += heading("Whole pictures by threads, " + usual) + pictureTable(figures.scaling);
+  text += heading("Whole pictures by size, " + usual + "; ~ scaled from the time a pixel above") +
+          pictureTable(figures.sizes);
+  return text;
+}
+
+}  // namespace cutis

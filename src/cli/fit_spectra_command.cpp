@@ -1,0 +1,147 @@
+// fit-spectra: measured reflectance spectra to parameters.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "core/fit/spectra_fit.h"
+#include "src/cli/arguments.h"
+#include "src/cli/command.h"
+#include "src/cli/option_values.h"
+#include "src/cli/output_check.h"
+#include "src/files/atomic_write.h"
+#include "src/files/csv.h"
+#include "src/files/measured_spectra.h"
+#include "src/files/profile_file.h"
+
+namespace cutis {
+namespace {
+
+struct FitSpectraCommand {
+  std::string measured;
+  std::string output;
+  std::string range = "400:700";
+  std::string specular = "excluded";
+  std::string profile = kDefaultProfile;
+};
+
+Result<WavelengthRange> rangeOf(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos) {
+    return usageError("--range",
+                      "'" + text + "' is no range; write FROM:TO in nm, such as 400:700");
+  }
+  constexpr double least = kFirstWavelengthNm, most = kLastWavelengthNm;
+  CUTIS_TRY(from, realNumber("--range", text.substr(0, colon), least, most));
+  CUTIS_TRY(to, realNumber("--range", text.substr(colon + 1), least, most));
+  if (from < to) return WavelengthRange{from, to};
+  return usageError("--range", "'" + text + "' is empty; write the smaller wavelength first");
+}
+
+Status checkSpecular(const std::string& specular) {
+  if (specular == "excluded") return {};
+  if (specular == "included") {
+    return usageError("--specular", std::string("included is ") + kNotInThisVersion);
+  }
+  return usageError("--specular", "'" + specular + "' is unknown; choose excluded");
+}
+
+// A name that would read as a comment, or that holds quotes, is quoted.
+std::string quotedId(const std::string& id) {
+  if (!id.starts_with('#') && id.find('"') == std::string::npos) return id;
+  std::string text = "\"";
+  for (const char c : id) {
+    if (c == '"') text += '"';
+    text += c;
+  }
+  return text + '"';
+}
+
+std::string tableOf(const std::vector<std::string>& ids, const std::vector<SpectrumFit>& fits) {
+  std::string text = "id";
+  for (const Parameter parameter : kParameters) {
+    text += ',';
+    text += parameterName(parameter);
+  }
+  text += ",rmse\n";
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    text += quotedId(ids[i]);
+    for (const double value : fits[i].parameters)
+      text += ',' + formatNumber(value);
+    text += ',' + formatNumber(fits[i].rmse) + '\n';
+  }
+  return text;
+}
+
+// fits: at least one.
+std::string summaryOf(const std::vector<SpectrumFit>& fits, double seconds) {
+  std::vector<double> errors;
+  double sum = 0.0;
+  for (const SpectrumFit& fit : fits) {
+    errors.push_back(fit.rmse);
+    sum += fit.rmse;
+  }
+  std::sort(errors.begin(), errors.end());
+  const std::size_t of95 = (errors.size() * 95 + 99) / 100 - 1;
+  const double mean = sum / static_cast<double>(errors.size());
+  return std::to_string(errors.size()) + (errors.size() == 1 ? " spectrum" : " spectra") +
+         ", RMSE mean " + formatNumber(mean, 4) + ", 95 % within " + formatNumber(errors[of95], 4) +
+         ", max " + formatNumber(errors.back(), 4) + ", " + formatNumber(seconds, 3) + " s\n";
+}
+
+Status printSummary(const std::string& text) {
+  if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return {};
+  return resourceError("standard output", "it cannot be written to; use --quiet");
+}
+
+Status runFitSpectraCommand(const FitSpectraCommand& command, Session& session) {
+  const auto start = std::chrono::steady_clock::now();
+  CUTIS_TRY(range, rangeOf(command.range));
+  CUTIS_CHECK(checkSpecular(command.specular));
+  CUTIS_CHECK(checkTextOutput(command.output, {command.measured, command.profile}));
+  CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
+  CUTIS_TRY(spectra,
+            readMeasuredSpectra(command.measured, range, kFewestWavelengths, session.context));
+  CUTIS_TRY(fits, fitSpectra(*model, spectra.wavelengthsNm, spectra.reflectances,
+                             session.context.child(0.0, 1.0, "fitting spectra")));
+  CUTIS_CHECK(writeTextAtomically(command.output, tableOf(spectra.ids, fits)));
+  if (session.quiet) return {};
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return printSummary(summaryOf(fits, taken.count()));
+}
+
+}  // namespace
+
+void addFitSpectraCommand(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<FitSpectraCommand>();
+  CLI::App& command =
+      addCommand(app, invocation, "fit-spectra",
+                 "Parameters of the skin that comes closest to measured reflectance spectra",
+                 options, runFitSpectraCommand);
+  command
+      .add_option("MEASURED", options->measured,
+                  "Comma-separated values: reflectance from 0 to 1, wavelengths in nm in the first "
+                  "row (one spectrum a row) or in the first column (one spectrum a column)")
+      ->required()
+      ->type_name("");
+  command
+      .add_option("-o,--output", options->output,
+                  "File to write: id, the five parameters and the RMSE of each spectrum")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option("--range", options->range,
+                  "Wavelengths that count, in nm; between the model's, 2 nm apart, it is "
+                  "interpolated linearly (default: 400:700)")
+      ->type_name("FROM:TO");
+  command
+      .add_option("--specular", options->specular,
+                  "Whether the spectra contain the surface reflection: excluded (default)")
+      ->type_name("WORD");
+  command
+      .add_option("--profile", options->profile,
+                  "Skin model: a built-in name or a JSON file (default: li2024)")
+      ->type_name("NAME|FILE");
+}
+
+}  // namespace cutis
