@@ -23,7 +23,7 @@ class LayerStrip : public QListWidget {
 
   // Keeps thumbnails, and the current layer, of ids that stay. Silent.
   void setLayers(const QVector<LayerEntry>& layers);
-  // Any size and shape, fitted into the plate; a null image brings the placeholder back. An unknown
+  // Any size and shape, fitted into the plate; a null image brings the empty plate back. An unknown
   // id is ignored: its layer may have gone while the image was computed.
   void setThumbnail(const QString& id, const QImage& image);
   // Silent.
