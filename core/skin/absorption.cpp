@@ -5,48 +5,42 @@
 namespace cutis {
 namespace {
 
-Spectrum onGrid(const PowerLaw& law) {
-  Spectrum spectrum;
-  for (int i = 0; i < kSampleCount; ++i) {
-    spectrum[i] = law.coefficient * std::pow(wavelengthNm(i), law.exponent);
-  }
-  return spectrum;
+// Tissue of both layers.
+Spectrum baselineOf(const Profile& profile) {
+  return profile.baseline.constant + onGrid(profile.baseline.tail);
 }
 
-Spectrum onGrid(const BaselineAbsorption& law) {
-  Spectrum spectrum;
-  for (int i = 0; i < kSampleCount; ++i) {
-    const double beyond = wavelengthNm(i) - law.originNm;
-    spectrum[i] = law.constant + law.amplitude * std::exp(-beyond / law.decayNm);
-  }
-  return spectrum;
-}
-
-Spectrum wholeBlood(const Profile& profile) {
-  return profile.oxygenation * profile.oxyhaemoglobin +
-         (1.0 - profile.oxygenation) * profile.deoxyhaemoglobin;
+Spectrum scatteringOf(const ReducedScattering& law) {
+  return onGrid(law.mie) + onGrid(law.rayleigh);
 }
 
 }  // namespace
 
 EpidermalAbsorption epidermalAbsorption(const Profile& profile) {
-  const Spectrum tissue = onGrid(profile.baseline);
+  Spectrum tissue = baselineOf(profile);
+  if (profile.epidermalUltraviolet.amplitude != 0.0) {
+    tissue += onGrid(profile.epidermalUltraviolet);
+  }
+  const CaroteneInSkin& carotene = profile.caroteneInSkin;
   const double dry = 1.0 - profile.epidermalWater;
   EpidermalAbsorption epidermis;
   epidermis.base = tissue + profile.epidermalWater * profile.water;
   epidermis.eumelanin = dry * onGrid(profile.eumelanin) - tissue;
   epidermis.pheomelanin = dry * onGrid(profile.pheomelanin) - tissue;
-  epidermis.blood = dry * wholeBlood(profile) - tissue;
-  epidermis.carotene = profile.carotene - tissue;
+  epidermis.blood = dry * bloodIn(profile, profile.epidermalBlood) - tissue;
+  epidermis.carotene = carotene.scale * shiftedAndSmoothed(profile.carotene, carotene.shiftNm,
+                                                           carotene.smoothingNm) -
+                       tissue;
   return epidermis;
 }
 
 DermalAbsorption dermalAbsorption(const Profile& profile) {
-  const Spectrum tissue = onGrid(profile.baseline);
+  const Spectrum tissue = profile.dermalBaselineFactor * baselineOf(profile);
   const double dry = 1.0 - profile.dermalWater;
   DermalAbsorption dermis;
   dermis.base = tissue + profile.dermalWater * profile.water;
-  dermis.blood = dry * wholeBlood(profile) - tissue;
+  if (profile.dermalFat != 0.0) dermis.base += profile.dermalFat * onGrid(profile.fat);
+  dermis.blood = dry * bloodIn(profile, profile.dermalBlood) - tissue;
   return dermis;
 }
 
@@ -65,8 +59,28 @@ double dermalAbsorptionAt(const DermalAbsorption& dermis, int sample,
   return dermis.base[sample] + parameters[kHaemoglobinDermal] * dermis.blood[sample];
 }
 
+double packagingFactor(double absorptionPerMm, double radiusMm) {
+  const double depth = 2.0 * absorptionPerMm * radiusMm;
+  // The quotient loses its digits where it is 1 to within them.
+  return depth > 1e-12 ? -std::expm1(-depth) / depth : 1.0;
+}
+
+Spectrum bloodIn(const Profile& profile, const BloodOptics& layer) {
+  Spectrum blood = layer.oxygenation * profile.oxyhaemoglobin +
+                   (1.0 - layer.oxygenation) * profile.deoxyhaemoglobin;
+  for (double& absorption : blood) {
+    absorption *= packagingFactor(absorption, layer.vesselRadiusMm);
+  }
+  return smoothed(blood, profile.bloodSmoothingNm);
+}
+
 Spectrum epidermalScattering(const Profile& profile) {
-  return onGrid(profile.mieScattering) + onGrid(profile.rayleighScattering);
+  return scatteringOf(profile.epidermalScatteringLaw);
+}
+
+Spectrum dermalScattering(const Profile& profile) {
+  if (profile.dermalScatteringLaw) return scatteringOf(*profile.dermalScatteringLaw);
+  return profile.dermalScatteringRatio * epidermalScattering(profile);
 }
 
 }  // namespace cutis

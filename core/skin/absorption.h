@@ -6,7 +6,9 @@
 //                         + C_he · blood + C_bc · carotene
 //   dermis:    σ_a = base + C_hd · blood
 //
-// Each chromophore displaces baseline tissue; the coefficients here are net of that and may be
+// where tissue includes the epidermis's ultraviolet tail and the dermis's fat, blood is that of the
+// layer (oxygenation, packaging, smoothing) and carotene that in skin. Each chromophore displaces
+// baseline tissue; the coefficients here are net of that and may be
 // negative where a chromophore absorbs less than the tissue it displaces.
 
 #include "core/skin/parameter_axis.h"
@@ -31,7 +33,14 @@ double epidermalAbsorptionAt(const EpidermalAbsorption& epidermis, int sample,
 double dermalAbsorptionAt(const DermalAbsorption& dermis, int sample,
                           const ParameterVector& parameters);
 
-// Reduced scattering of the epidermis (paper, eq. 6); the dermis has a fixed share of it.
+// Absorption of undiluted blood as it lies in a layer.
+Spectrum bloodIn(const Profile& profile, const BloodOptics& layer);
+
+// (1 − e^(−2qr)) / (2qr) for absorption q (≥ 0) in vessels of radius r (≥ 0): 1 where either is 0.
+double packagingFactor(double absorptionPerMm, double radiusMm);
+
+// Reduced scattering; paper, eq. 6 for the epidermis.
 Spectrum epidermalScattering(const Profile& profile);
+Spectrum dermalScattering(const Profile& profile);
 
 }  // namespace cutis

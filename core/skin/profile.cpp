@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <string_view>
 
 #include "core/base/content_hash.h"
 #include "core/skin/absorption.h"
@@ -14,7 +15,15 @@ constexpr double kMaximumTableEntries = 1e7;
 // Far beyond any pigment; products of such numbers still fit into single precision.
 constexpr double kMaximumAbsorptionPerMm = 1e6;
 
-bool isFraction(double value) { return value >= 0.0 && value <= 1.0; }
+// A shift or a smoothing beyond it would be another chromophore.
+constexpr double kMaximumShiftNm = 100.0;
+
+bool isBetween(double low, double value, double high) {
+  return value >= low && value <= high;
+}
+bool isFraction(double value) {
+  return isBetween(0.0, value, 1.0);
+}
 
 Status require(bool condition, const std::string& place, const std::string& field,
                const std::string& demand) {
@@ -33,30 +42,72 @@ Status validateParameters(const Profile& profile, const std::string& place) {
                         "between 2 and 256"));
     CUTIS_CHECK(require(axis.exponent >= 1 && axis.exponent <= 3, place, field + ".spacing",
                         "uniform, quadratic or cubic"));
-    const std::string name(parameterName(parameter));
-    CUTIS_CHECK(require(std::isfinite(profile.prior.mean[parameter]) &&
-                            (!profile.prior.isLog(parameter) || profile.prior.mean[parameter] > 0),
-                        place, "prior.mean." + name,
-                        "finite, and positive on the log scale"));
-    CUTIS_CHECK(require(profile.prior.deviation[parameter] > 0.0 &&
-                            std::isfinite(profile.prior.deviation[parameter]),
-                        place, "prior.sd." + name, "positive"));
   }
+  CUTIS_CHECK(validate(profile.prior, place, "prior."));
   double entries = 1.0;
   for (const ParameterAxis& axis : profile.axes) entries *= axis.samples;
   return require(entries <= kMaximumTableEntries, place, "the product of all parameters.*.samples",
                  "at most 10 million, the entries of the largest table of skin");
 }
 
-Status validateAbsorption(const Profile& profile, const std::string& place) {
-  CUTIS_CHECK(require(isFraction(profile.oxygenation), place, "absorption.oxygenation",
-                      "between 0 and 1"));
+Status validateTail(const ExponentialTail& tail, const std::string& place,
+                    const std::string& field) {
+  CUTIS_CHECK(require(std::isfinite(tail.amplitude) && std::isfinite(tail.originNm), place, field,
+                      "finite"));
+  return require(tail.decayNm > 0.0, place, field + ".decay_nm", "positive");
+}
+
+Status validateBlood(const BloodOptics& blood, const std::string& place, const std::string& field) {
+  CUTIS_CHECK(
+      require(isFraction(blood.oxygenation), place, field + ".oxygenation", "between 0 and 1"));
+  return require(isBetween(0.0, blood.vesselRadiusMm, 1.0), place, field + ".vessel_radius_mm",
+                 "between 0 and 1");
+}
+
+Status validateCarotene(const CaroteneInSkin& carotene, const std::string& place) {
+  const std::string field = "absorption.carotene.";
+  CUTIS_CHECK(
+      require(isBetween(0.0, carotene.scale, 100.0), place, field + "scale", "between 0 and 100"));
+  CUTIS_CHECK(require(isBetween(-kMaximumShiftNm, carotene.shiftNm, kMaximumShiftNm), place,
+                      field + "shift_nm", "between -100 and 100"));
+  return require(isBetween(0.0, carotene.smoothingNm, kMaximumShiftNm), place,
+                 field + "smoothing_nm", "between 0 and 100");
+}
+
+Status validateFat(const Profile& profile, const std::string& place) {
+  CUTIS_CHECK(
+      require(isFraction(profile.dermalFat), place, "dermis.fat_fraction", "between 0 and 1"));
+  CUTIS_CHECK(require(profile.fat.peak >= 0.0 && std::isfinite(profile.fat.peak), place,
+                      "absorption.fat.peak", "finite and not negative"));
+  return require(profile.fat.deviationNm > 0.0, place, "absorption.fat.deviation_nm", "positive");
+}
+
+Status validateLaw(const PowerLaw& law, const std::string& place, const std::string& field) {
+  return require(law.referenceNm > 0.0 && std::isfinite(law.referenceNm), place, field + ".at_nm",
+                 "positive");
+}
+
+Status validateTissue(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(require(isFraction(profile.epidermalWater), place, "epidermis.water_fraction",
                       "between 0 and 1"));
   CUTIS_CHECK(require(isFraction(profile.dermalWater), place, "dermis.water_fraction",
                       "between 0 and 1"));
-  CUTIS_CHECK(require(profile.baseline.decayNm > 0.0, place, "absorption.baseline.decay_nm",
-                      "positive"));
+  CUTIS_CHECK(validateLaw(profile.eumelanin, place, "absorption.eumelanin"));
+  CUTIS_CHECK(validateLaw(profile.pheomelanin, place, "absorption.pheomelanin"));
+  CUTIS_CHECK(validateTail(profile.baseline.tail, place, "absorption.baseline"));
+  CUTIS_CHECK(validateTail(profile.epidermalUltraviolet, place, "epidermis.ultraviolet"));
+  CUTIS_CHECK(require(isBetween(0.0, profile.dermalBaselineFactor, 10.0), place,
+                      "dermis.baseline_factor", "between 0 and 10"));
+  CUTIS_CHECK(validateBlood(profile.epidermalBlood, place, "epidermis.blood"));
+  CUTIS_CHECK(validateBlood(profile.dermalBlood, place, "dermis.blood"));
+  CUTIS_CHECK(require(isBetween(0.0, profile.bloodSmoothingNm, kMaximumShiftNm), place,
+                      "absorption.blood_smoothing_nm", "between 0 and 100"));
+  CUTIS_CHECK(validateCarotene(profile.caroteneInSkin, place));
+  return validateFat(profile, place);
+}
+
+Status validateAbsorption(const Profile& profile, const std::string& place) {
+  CUTIS_CHECK(validateTissue(profile, place));
   const EpidermalAbsorption epidermis = epidermalAbsorption(profile);
   const DermalAbsorption dermis = dermalAbsorption(profile);
   // Absorption is linear in each concentration, so its extremes are at corners of the box.
@@ -79,19 +130,35 @@ Status validateAbsorption(const Profile& profile, const std::string& place) {
   return {};
 }
 
+Status validateScattering(const Profile& profile, const std::string& place) {
+  const auto lawIsValid = [&](const ReducedScattering& law, const std::string& field) -> Status {
+    CUTIS_CHECK(validateLaw(law.mie, place, field + ".mie_scattering"));
+    return validateLaw(law.rayleigh, place, field + ".rayleigh_scattering");
+  };
+  const auto isPositive = [&](const Spectrum& scattering, const std::string& field) {
+    return require(scattering.isFinite().all() && (scattering > 0.0).all(), place,
+                   field + ".reduced_scattering", "positive from 300 to 1000 nm");
+  };
+  CUTIS_CHECK(lawIsValid(profile.epidermalScatteringLaw, "epidermis"));
+  CUTIS_CHECK(isPositive(epidermalScattering(profile), "epidermis"));
+  if (profile.dermalScatteringLaw) {
+    CUTIS_CHECK(lawIsValid(*profile.dermalScatteringLaw, "dermis"));
+    return isPositive(dermalScattering(profile), "dermis");
+  }
+  return require(
+      profile.dermalScatteringRatio > 0.0 && std::isfinite(profile.dermalScatteringRatio), place,
+      "dermis.scattering_ratio", "positive");
+}
+
 Status validateLayers(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(require(profile.refractiveIndex >= 1.0 && profile.refractiveIndex <= 2.0, place,
                       "refractive_index", "between 1 and 2"));
-  CUTIS_CHECK(require(profile.dermalScatteringRatio > 0.0 &&
-                          std::isfinite(profile.dermalScatteringRatio),
-                      place, "dermis.scattering_ratio", "positive"));
   CUTIS_CHECK(require(profile.epidermalThicknessMm > 0.0 && profile.epidermalThicknessMm < 10.0,
                       place, "epidermis.thickness_mm", "between 0 and 10"));
-  const Spectrum scattering = epidermalScattering(profile);
-  CUTIS_CHECK(require(scattering.isFinite().all() && (scattering > 0.0).all(), place,
-                      "epidermis.reduced_scattering", "positive from 300 to 1000 nm"));
+  CUTIS_CHECK(validateScattering(profile, place));
   // Below one transport mean free path the slab's reflectance turns negative.
-  const double longestPathMm = 1.0 / (scattering + epidermalAbsorption(profile).base).minCoeff();
+  const double longestPathMm =
+      1.0 / (epidermalScattering(profile) + epidermalAbsorption(profile).base).minCoeff();
   return require(profile.layerOptics != LayerOpticsKind::diffusion ||
                      profile.epidermalThicknessMm >= longestPathMm,
                  place, "epidermis.thickness_mm",
@@ -104,6 +171,48 @@ void addLaw(ContentHash& hash, const PowerLaw& law) { hash.add(law.coefficient).
 
 void addSpectrum(ContentHash& hash, const Spectrum& spectrum) {
   hash.add(std::span<const double>(spectrum.data(), static_cast<std::size_t>(spectrum.size())));
+}
+
+// What the paper's model does not have counts only where it is used, so that tables of the paper's
+// model keep the name they were kept under.
+void addUnless(double usual, ContentHash& hash, std::string_view name, double value) {
+  if (value != usual) hash.add(name).add(value);
+}
+
+void addScattering(ContentHash& hash, const ReducedScattering& law) {
+  addLaw(hash, law.mie);
+  addLaw(hash, law.rayleigh);
+  hash.add(law.mie.referenceNm).add(law.rayleigh.referenceNm);
+}
+
+void addBeyondThePaper(ContentHash& hash, const Profile& profile) {
+  const ReducedScattering& scattering = profile.epidermalScatteringLaw;
+  addUnless(1.0, hash, "eumelanin at", profile.eumelanin.referenceNm);
+  addUnless(1.0, hash, "pheomelanin at", profile.pheomelanin.referenceNm);
+  addUnless(1.0, hash, "mie at", scattering.mie.referenceNm);
+  addUnless(1.0, hash, "rayleigh at", scattering.rayleigh.referenceNm);
+  addUnless(profile.dermalBlood.oxygenation, hash, "epidermal oxygenation",
+            profile.epidermalBlood.oxygenation);
+  addUnless(0.0, hash, "epidermal vessels", profile.epidermalBlood.vesselRadiusMm);
+  addUnless(0.0, hash, "dermal vessels", profile.dermalBlood.vesselRadiusMm);
+  addUnless(0.0, hash, "blood smoothing", profile.bloodSmoothingNm);
+  addUnless(1.0, hash, "carotene scale", profile.caroteneInSkin.scale);
+  addUnless(0.0, hash, "carotene shift", profile.caroteneInSkin.shiftNm);
+  addUnless(0.0, hash, "carotene smoothing", profile.caroteneInSkin.smoothingNm);
+  addUnless(1.0, hash, "dermal baseline", profile.dermalBaselineFactor);
+  const ExponentialTail& tail = profile.epidermalUltraviolet;
+  if (tail.amplitude != 0.0) {
+    hash.add("ultraviolet").add(tail.amplitude).add(tail.originNm).add(tail.decayNm);
+  }
+  const GaussianBand& fat = profile.fat;
+  if (profile.dermalFat != 0.0) {
+    hash.add("fat").add(profile.dermalFat);
+    hash.add(fat.peak).add(fat.centreNm).add(fat.deviationNm);
+  }
+  if (profile.dermalScatteringLaw) {
+    hash.add("dermal scattering");
+    addScattering(hash, *profile.dermalScatteringLaw);
+  }
 }
 
 }  // namespace
@@ -119,25 +228,28 @@ std::string fingerprint(const Profile& profile) {
   for (const ParameterAxis& axis : profile.axes) {
     hash.add(axis.maximum).add(double(axis.samples)).add(double(axis.exponent));
   }
-  for (const PowerLaw& law : {profile.eumelanin, profile.pheomelanin, profile.mieScattering,
-                              profile.rayleighScattering}) {
+  for (const PowerLaw& law :
+       {profile.eumelanin, profile.pheomelanin, profile.epidermalScatteringLaw.mie,
+        profile.epidermalScatteringLaw.rayleigh}) {
     addLaw(hash, law);
   }
   hash.add(profile.baseline.constant)
-      .add(profile.baseline.amplitude)
-      .add(profile.baseline.originNm)
-      .add(profile.baseline.decayNm);
+      .add(profile.baseline.tail.amplitude)
+      .add(profile.baseline.tail.originNm)
+      .add(profile.baseline.tail.decayNm);
   for (const Spectrum* spectrum : {&profile.oxyhaemoglobin, &profile.deoxyhaemoglobin,
                                    &profile.water, &profile.carotene}) {
     addSpectrum(hash, *spectrum);
   }
-  hash.add(profile.oxygenation)
+  const bool hasRatio = !profile.dermalScatteringLaw;
+  hash.add(profile.dermalBlood.oxygenation)
       .add(profile.epidermalWater)
       .add(profile.dermalWater)
-      .add(profile.dermalScatteringRatio)
+      .add(hasRatio ? profile.dermalScatteringRatio : 0.0)
       .add(profile.epidermalThicknessMm)
       .add(profile.refractiveIndex)
       .add(double(static_cast<int>(profile.layerOptics)));
+  addBeyondThePaper(hash, profile);
   return hash.digest();
 }
 

@@ -64,6 +64,14 @@ bool JsonValue::isObject() const { return node_->is_object(); }
 bool JsonValue::isArray() const { return node_->is_array(); }
 bool JsonValue::has(const std::string& key) const { return find(key) != nullptr; }
 
+std::vector<std::string> JsonValue::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, value] : node_->items()) {
+    names.push_back(key);
+  }
+  return names;
+}
+
 Error JsonValue::error(const std::string& demand) const {
   return inputError(file_, (path_.empty() ? "the file" : path_) + " must be " + demand);
 }
@@ -92,6 +100,11 @@ Result<std::vector<JsonValue>> JsonValue::array(const std::string& key) const {
 Result<double> JsonValue::asNumber() const {
   if (!node_->is_number() || !std::isfinite(node_->get<double>())) return error("a finite number");
   return node_->get<double>();
+}
+
+Result<std::string> JsonValue::asText() const {
+  if (!node_->is_string()) return error("a text");
+  return node_->get<std::string>();
 }
 
 Result<double> JsonValue::number(const std::string& key) const {

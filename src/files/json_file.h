@@ -24,6 +24,8 @@ class JsonValue {
   bool isObject() const;
   bool isArray() const;
   bool has(const std::string& key) const;
+  // Names of all fields, sorted.
+  std::vector<std::string> keys() const;
 
   Result<JsonValue> object(const std::string& key) const;
   // Elements of an array field.
@@ -34,8 +36,9 @@ class JsonValue {
   Result<std::string> text(const std::string& key) const;
   Result<std::string> text(const std::string& key, const std::string& fallback) const;
 
-  // This value itself as a finite number.
+  // This value itself, as a finite number or as a text.
   Result<double> asNumber() const;
+  Result<std::string> asText() const;
 
   // Fails if there is a field of another name: a misspelt option must not pass as absent.
   Status allowOnly(std::initializer_list<std::string_view> keys) const;

@@ -2,10 +2,29 @@
 
 // profile.json: all constants of the skin model.
 //
-// The built-in resources/profiles/li2024.json shows every field. Absorption and scattering are in
-// mm⁻¹ of wavelengths in nm; "chromophores" names the table of pure absorption (built-in or CSV with
-// columns oxyhaemoglobin, deoxyhaemoglobin, water, carotene); parameters.*.spacing is uniform,
-// quadratic or cubic.
+// Absorption and scattering are in mm⁻¹, wavelengths in nm; "chromophores" names the table of pure
+// absorption (built-in or CSV with columns oxyhaemoglobin, deoxyhaemoglobin, water, carotene);
+// parameters.*.spacing is uniform, quadratic or cubic. The built-in li2024 shows the fields every
+// profile has. The others, whose absence means the paper's model:
+//
+//   at_nm of a power law                   coefficient · (λ / at_nm)^exponent; 1
+//   absorption.blood_smoothing_nm          standard deviation of a Gaussian over blood; 0
+//   absorption.carotene                    "scale", "shift_nm", "smoothing_nm"; 1, 0, 0
+//   absorption.fat, dermis.fat_fraction    Gaussian band "peak", "centre_nm", "deviation_nm" of pure
+//                                          fat, and how much of it the dermis has
+//   epidermis.blood, dermis.blood          "oxygenation" (absorption.oxygenation, which must be left
+//                                          out where both layers have their own) and
+//                                          "vessel_radius_mm" (0)
+//   epidermis.ultraviolet                  "amplitude", "origin_nm", "decay_nm" of a tail on top of
+//                                          the epidermis's baseline
+//   dermis.baseline_factor                 its baseline over that of the profile; 1
+//   dermis.mie_scattering, dermis.rayleigh_scattering
+//                                          laws of its own instead of dermis.scattering_ratio
+//   sources                                where the values are from: {"epidermis.thickness_mm":
+//                                          "a text", …}; a field it names must be there
+//
+// The prior is that of src/files/prior_file.h. An unknown field is an error: a misspelt option must
+// not pass as absent.
 
 #include <string>
 #include <string_view>
@@ -13,7 +32,7 @@
 
 #include "core/base/result.h"
 #include "core/skin/profile.h"
-#include "src/files/json_file.h"
+#include "src/files/prior_file.h"
 
 namespace cutis {
 
@@ -28,11 +47,5 @@ Result<Profile> loadProfile(const std::string& nameOrPath, const std::string& pl
 // The JSON text a name or path stands for: maps carry it, so that they can be read anywhere.
 Result<std::string> profileText(const std::string& nameOrPath, const std::string& place);
 Result<Profile> parseProfile(std::string_view text, const std::string& place);
-
-// The "scale", "mean", "sd" object, in a profile or in a file of its own (--prior). Parameters a
-// prior file leaves out keep their values from `base`; a prior in a profile must name all
-// (base = null).
-Result<Prior> parsePrior(const JsonValue& object, const Prior* base);
-Result<Prior> readPrior(const std::string& path, const Prior& base);
 
 }  // namespace cutis

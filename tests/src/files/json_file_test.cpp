@@ -84,6 +84,9 @@ class JsonFileTest : public QObject {
     EXPECT_OK(list);
     EXPECT_OK(list.value()[0].asNumber());
     EXPECT_ERROR(list.value()[1].asNumber(), "list[1] must be a finite number");
+    QCOMPARE(list.value()[1].asText().value(), std::string("2"));
+    EXPECT_ERROR(list.value()[0].asText(), "list[0] must be a text");
+    QVERIFY(mix.value().keys() == std::vector<std::string>{"R"});
     EXPECT_ERROR(value.object("missing"), "(it is missing)");
   }
 

@@ -52,7 +52,9 @@ class ResourcesTest : public QObject {
                                      : ".csv";
       std::vector<std::string> expected;
       for (const auto& entry : fs::directory_iterator(root / folder)) {
-        if (entry.path().extension() == suffix) expected.push_back(entry.path().stem().string());
+        if (entry.path().extension() == suffix) {
+          expected.push_back(entry.path().stem().string());
+        }
       }
       std::sort(expected.begin(), expected.end());
       QVERIFY2(resourceStems(folder, suffix) == expected, folder);
