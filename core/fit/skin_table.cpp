@@ -125,8 +125,8 @@ Result<SkinTable> buildSkinTable(const SkinModel& model, const SpectrumRows& row
   arguments.dermalStride = roundUpToTableLanes(dermalBlood.size());
   dermalBlood.resize(arguments.dermalStride, 0.0f);
   arguments.dermalBlood = dermalBlood.data();
-  std::vector<float> dermalReflectance(arguments.nodeCount * arguments.dermalStride);
-  arguments.dermalReflectance = dermalReflectance.data();
+  std::vector<float> dermis(arguments.nodeCount * arguments.dermalStride);
+  arguments.dermis = dermis.data();
   runDermisKernel(arguments);
 
   SkinTable table(axes, static_cast<int>(rows.rows()));

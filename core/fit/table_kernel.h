@@ -9,6 +9,8 @@
 namespace cutis {
 
 inline constexpr int kMaximumTableRows = 16;
+// What is known of an epidermis at a node: R⁺, R⁻ and T⁺T⁻, or the polynomial's columns.
+inline constexpr std::size_t kEpidermisNumbers = kDermalTerms;
 
 struct TableArguments {
   const NodeConstants<float>* nodes = nullptr;
@@ -17,7 +19,9 @@ struct TableArguments {
 
   const float* dermalBlood = nullptr;  // dermalStride values
   std::size_t dermalStride = 0;        // multiple of the widest vector
-  float* dermalReflectance = nullptr;  // [node][dermalStride]
+  // [node][dermalStride]: reflectance of the half-space, or, where radiative transfer is a
+  // polynomial, the dermis's variable in it.
+  float* dermis = nullptr;
 
   const float* weights = nullptr;  // [node][kMaximumTableRows]
   std::size_t rowCount = 0;
@@ -30,13 +34,13 @@ struct TableArguments {
   float* scratch = nullptr;
   float* out = nullptr;  // [row][dermalStride]
 
-  std::size_t scratchSize() const { return 3 * nodeCount; }
+  std::size_t scratchSize() const { return kEpidermisNumbers * nodeCount; }
 };
 
 // The smallest multiple of the widest vector that holds count floats.
 std::size_t roundUpToTableLanes(std::size_t count);
 
-// Half-space reflectance of every node and blood fraction.
+// Every dermis at every node.
 void runDermisKernel(const TableArguments& arguments);
 
 // Rows of one epidermis over every dermis.

@@ -1,7 +1,11 @@
 #include "core/skin/layer_optics.h"
 
+#include <utility>
+
 #include "core/skin/absorption.h"
 #include "core/skin/diffusion.h"
+#include "core/skin/layer_fit.h"
+#include "core/skin/layer_table.h"
 
 namespace cutis {
 namespace {
@@ -11,7 +15,7 @@ class DiffusionOptics final : public LayerOptics {
  public:
   explicit DiffusionOptics(const Profile& profile)
       : epidermalScattering_(epidermalScattering(profile)),
-        dermalScattering_(profile.dermalScatteringRatio * epidermalScattering_),
+        dermalScattering_(dermalScattering(profile)),
         thickness_(profile.epidermalThicknessMm),
         airFactor_(boundaryFactor(profile.refractiveIndex)) {}
 
@@ -34,6 +38,8 @@ class DiffusionOptics final : public LayerOptics {
     return epidermal <= epidermalScattering_[sample] && dermal <= dermalScattering_[sample];
   }
 
+  const LayerPolynomial<double>* polynomialAt(int) const override { return nullptr; }
+
  private:
   static constexpr double kMatchedFactor = 1.0;
 
@@ -49,14 +55,34 @@ class DiffusionOptics final : public LayerOptics {
   double airFactor_;
 };
 
+// Adding–doubling, fitted beforehand.
+class TabulatedOptics final : public LayerOptics {
+ public:
+  explicit TabulatedOptics(std::shared_ptr<const LayerTable> table) : table_(std::move(table)) {}
+
+  LayeredReflectance evaluate(int sample, double epidermal, double dermal) const override {
+    return cutis::evaluate(table_->at(sample), epidermal, dermal);
+  }
+  double reflectance(int sample, double epidermal, double dermal) const override {
+    return evaluate(sample, epidermal, dermal).reflectance;
+  }
+  bool holds(int, double, double) const override { return true; }
+  const LayerPolynomial<double>* polynomialAt(int sample) const override {
+    return &table_->at(sample);
+  }
+
+ private:
+  std::shared_ptr<const LayerTable> table_;
+};
+
 }  // namespace
 
-std::unique_ptr<const LayerOptics> makeLayerOptics(const Profile& profile) {
-  switch (profile.layerOptics) {
-    case LayerOpticsKind::diffusion:
-      return std::make_unique<DiffusionOptics>(profile);
-  }
-  return nullptr;
+std::unique_ptr<const LayerOptics> makeDiffusionOptics(const Profile& profile) {
+  return std::make_unique<DiffusionOptics>(profile);
+}
+
+std::unique_ptr<const LayerOptics> makeTabulatedOptics(std::shared_ptr<const LayerTable> table) {
+  return std::make_unique<TabulatedOptics>(std::move(table));
 }
 
 }  // namespace cutis

@@ -5,10 +5,13 @@
 
 #include <memory>
 
+#include "core/skin/layer_polynomial.h"
 #include "core/skin/profile.h"
 #include "core/spectra/grid.h"
 
 namespace cutis {
+
+class LayerTable;
 
 // Diffuse reflectance and its derivatives with respect to both absorptions (mm).
 struct LayeredReflectance {
@@ -29,11 +32,16 @@ class LayerOptics {
   virtual double reflectance(int sample, double epidermalAbsorption,
                              double dermalAbsorption) const = 0;
   // Whether the theory holds there: for diffusion, scattering outweighs absorption (α' ≥ 0.5) in
-  // both layers.
+  // both layers; radiative transfer does everywhere.
   virtual bool holds(int sample, double epidermalAbsorption, double dermalAbsorption) const = 0;
+  // The polynomial of both absorptions that it is at this sample; null if it is none.
+  virtual const LayerPolynomial<double>* polynomialAt(int sample) const = 0;
 };
 
-// Precondition: the profile is valid.
-std::unique_ptr<const LayerOptics> makeLayerOptics(const Profile& profile);
+// For layerOptics = diffusion. Precondition: the profile is valid.
+std::unique_ptr<const LayerOptics> makeDiffusionOptics(const Profile& profile);
+
+// Radiative transfer, from a table of it. Precondition: the table has the whole grid.
+std::unique_ptr<const LayerOptics> makeTabulatedOptics(std::shared_ptr<const LayerTable> table);
 
 }  // namespace cutis

@@ -1,8 +1,14 @@
 #include "core/skin/model_nodes.h"
 
+#include <array>
 #include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
 
+#include "core/skin/node_model.h"
 #include "core/skin/parameter_sampling.h"
+#include "core/skin/reflectance_batch.h"
 
 namespace cutis {
 namespace {
@@ -10,21 +16,36 @@ namespace {
 constexpr int kTrainingCount = 2000;
 constexpr int kCheckingCount = 1000;
 
-SpectrumRows sampledSpectra(const SkinModel& model, int count, int first) {
-  const std::vector<ParameterVector> points = sampleBox(model.profile().axes, count, first);
-  SpectrumRows spectra(count, kSampleCount);
-  for (int i = 0; i < count; ++i) {
-    spectra.row(i) = model.reflectance(points[static_cast<std::size_t>(i)]).transpose();
+SpectrumRows sampledSpectra(const NodeModel& grid, const ParameterAxes& axes, int count,
+                            int first) {
+  const std::vector<ParameterVector> points = sampleBox(axes, count, first);
+  std::array<std::vector<double>, kParameterCount> columns;
+  ParameterBatch<double> batch;
+  batch.count = points.size();
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (const ParameterVector& point : points) columns[k].push_back(point[static_cast<int>(k)]);
+    batch.values[k] = columns[k].data();
   }
+  Eigen::Array<double, Eigen::Dynamic, kSampleCount> spectra(count, int{kSampleCount});
+  reflectanceBatch<double>(grid, batch, spectra.data());
   return spectra;
+}
+
+SpectralNodes choose(const SkinModel& model, const SpectrumRows& rows,
+                     const NodeOptions& options) {
+  std::vector<int> all(kSampleCount);
+  std::iota(all.begin(), all.end(), 0);
+  const NodeModel grid(model, std::move(all));
+  const ParameterAxes& axes = model.profile().axes;
+  return chooseSpectralNodes(rows, sampledSpectra(grid, axes, kTrainingCount, 0),
+                             sampledSpectra(grid, axes, kCheckingCount, kTrainingCount), options);
 }
 
 }  // namespace
 
 SpectralNodes chooseModelNodes(const SkinModel& model, const SpectrumRows& rows,
                                const NodeOptions& options) {
-  return chooseSpectralNodes(rows, sampledSpectra(model, kTrainingCount, 0),
-                             sampledSpectra(model, kCheckingCount, kTrainingCount), options);
+  return model.nodeChoices().get(rows, options, [&] { return choose(model, rows, options); });
 }
 
 }  // namespace cutis

@@ -8,7 +8,8 @@
 
 namespace cutis {
 
-// Samples the profile's whole parameter box. Deterministic; about 0.1 s.
+// Samples the profile's whole parameter box. Deterministic; about 50 ms, and at once when the model
+// was asked for the same before.
 SpectralNodes chooseModelNodes(const SkinModel& model, const SpectrumRows& rows,
                                const NodeOptions& options = {});
 

@@ -1,7 +1,9 @@
 #pragma once
 
 // The numbers the vectorised kernels read at each node. Plain data: this header reaches code that is
-// compiled for several instruction sets and therefore includes nothing.
+// compiled for several instruction sets and therefore includes nothing but plain data.
+
+#include "core/skin/layer_polynomial.h"
 
 namespace cutis {
 
@@ -17,6 +19,8 @@ struct NodeConstants {
   T carotene;
   T dermalBase;
   T dermalBlood;
+  // Radiative transfer as a polynomial of the two absorptions; null: diffusion in closed form.
+  const LayerPolynomial<T>* transport;
 };
 
 // Constants all nodes share. s = σ_tr ℓ lies in [0, √3].

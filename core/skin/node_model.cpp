@@ -7,16 +7,37 @@
 
 #include "core/skin/decay_polynomial.h"
 #include "core/skin/diffusion.h"
+#include "core/skin/layer_fit.h"
 
 namespace cutis {
 namespace {
 
-NodeConstants<float> single(const NodeConstants<double>& node) {
+// The optics' polynomials at these samples; null where there are none.
+std::shared_ptr<const std::vector<LayerPolynomial<double>>> transportAt(
+    const LayerOptics& optics, const std::vector<int>& samples) {
+  std::vector<LayerPolynomial<double>> polynomials;
+  for (const int sample : samples) {
+    const LayerPolynomial<double>* polynomial = optics.polynomialAt(sample);
+    if (polynomial == nullptr) return nullptr;
+    polynomials.push_back(*polynomial);
+  }
+  return std::make_shared<const std::vector<LayerPolynomial<double>>>(std::move(polynomials));
+}
+
+std::shared_ptr<const std::vector<LayerPolynomial<float>>> single(
+    const std::vector<LayerPolynomial<double>>& polynomials) {
+  std::vector<LayerPolynomial<float>> rounded;
+  for (const auto& polynomial : polynomials) rounded.push_back(singlePrecision(polynomial));
+  return std::make_shared<const std::vector<LayerPolynomial<float>>>(std::move(rounded));
+}
+
+NodeConstants<float> single(const NodeConstants<double>& node,
+                            const LayerPolynomial<float>* transport) {
   return {static_cast<float>(node.epidermalScattering), static_cast<float>(node.dermalScattering),
           static_cast<float>(node.epidermalBase),       static_cast<float>(node.pheomelanin),
           static_cast<float>(node.melaninContrast),     static_cast<float>(node.epidermalBlood),
           static_cast<float>(node.carotene),            static_cast<float>(node.dermalBase),
-          static_cast<float>(node.dermalBlood)};
+          static_cast<float>(node.dermalBlood),          transport};
 }
 
 template <typename T>
@@ -40,14 +61,19 @@ NodeModel::NodeModel(const SkinModel& model, std::vector<int> samples)
       singleLayers_(layerConstants<float>(model.profile())),
       doubleLayers_(layerConstants<double>(model.profile())) {
   const Spectrum scattering = epidermalScattering(model.profile());
+  const Spectrum dermalScatter = dermalScattering(model.profile());
   const EpidermalAbsorption& epidermis = model.epidermis();
   const DermalAbsorption& dermis = model.dermis();
-  for (const int i : samples_) {
-    doubleNodes_.push_back({scattering[i], model.profile().dermalScatteringRatio * scattering[i],
-                            epidermis.base[i], epidermis.pheomelanin[i],
+  doubleTransport_ = transportAt(model.optics(), samples_);
+  if (doubleTransport_) singleTransport_ = single(*doubleTransport_);
+  for (std::size_t n = 0; n < samples_.size(); ++n) {
+    const int i = samples_[n];
+    doubleNodes_.push_back({scattering[i], dermalScatter[i], epidermis.base[i],
+                            epidermis.pheomelanin[i],
                             epidermis.eumelanin[i] - epidermis.pheomelanin[i], epidermis.blood[i],
-                            epidermis.carotene[i], dermis.base[i], dermis.blood[i]});
-    singleNodes_.push_back(single(doubleNodes_.back()));
+                            epidermis.carotene[i], dermis.base[i], dermis.blood[i],
+                            doubleTransport_ ? &(*doubleTransport_)[n] : nullptr});
+    singleNodes_.push_back(single(doubleNodes_.back(), singleTransport_ ? &(*singleTransport_)[n] : nullptr));
   }
 }
 

@@ -6,6 +6,7 @@
 // core/spectra/spectral_nodes.h), so this is where the program spends its time. Single precision
 // for pixels, double where a result must be exact.
 
+#include <memory>
 #include <vector>
 
 #include "core/skin/node_constants.h"
@@ -31,6 +32,9 @@ class NodeModel {
   std::vector<int> samples_;
   std::vector<NodeConstants<float>> singleNodes_;
   std::vector<NodeConstants<double>> doubleNodes_;
+  // What the nodes point to; copies of the model share it. Empty for diffusion.
+  std::shared_ptr<const std::vector<LayerPolynomial<float>>> singleTransport_;
+  std::shared_ptr<const std::vector<LayerPolynomial<double>>> doubleTransport_;
   LayerConstants<float> singleLayers_;
   LayerConstants<double> doubleLayers_;
 };

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/skin/diffusion-inl.h"
+#include "core/skin/node_reflectance-inl.h"
 #include "core/skin/partial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -33,7 +33,7 @@ HWY_NOINLINE void Batch(const BatchArguments<T>& arguments) {
       V epidermal, dermal;
       NodeAbsorption(d, arguments.nodes[n], melanin, melaninEu, bloodDermal, bloodEpidermal,
                      carotene, epidermal, dermal);
-      const LayeredVectors<V> layered = LayeredReflectanceOf<kDerivatives>(
+      const LayeredVectors<V> layered = NodeReflectanceOf<kDerivatives>(
           d, arguments.layers, arguments.nodes[n], epidermal, dermal);
       const std::size_t at = n * arguments.count + i;
       store(layered.reflectance, arguments.reflectance + at);

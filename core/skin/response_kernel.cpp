@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/skin/diffusion-inl.h"
+#include "core/skin/node_reflectance-inl.h"
 #include "core/skin/partial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,7 +35,7 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
       V epidermal, dermal;
       NodeAbsorption(d, arguments.nodes[n], melanin, melaninEu, bloodDermal, bloodEpidermal,
                      carotene, epidermal, dermal);
-      const V reflectance = LayeredReflectanceOf<false>(d, arguments.layers, arguments.nodes[n],
+      const V reflectance = NodeReflectanceOf<false>(d, arguments.layers, arguments.nodes[n],
                                                         epidermal, dermal)
                                 .reflectance;
       for (std::size_t k = 0; k < kRows; ++k) {

@@ -10,8 +10,11 @@
 
 #include <Eigen/Core>
 
+#include "core/base/job_context.h"
+#include "core/base/result.h"
 #include "core/skin/absorption.h"
 #include "core/skin/layer_optics.h"
+#include "core/skin/node_choices.h"
 #include "core/skin/parameter_axis.h"
 #include "core/skin/profile.h"
 #include "core/spectra/grid.h"
@@ -23,13 +26,23 @@ using SpectrumJacobian = Eigen::Array<double, kSampleCount, kParameterCount>;
 
 class SkinModel {
  public:
-  // Precondition: validate(profile) passed.
+  // For a profile whose layers are by diffusion. Precondition: validate(profile) passed.
   explicit SkinModel(const Profile& profile);
+  // For one by radiative transfer. Precondition: validate(profile) passed; the table is the
+  // profile's, at all wavelengths.
+  SkinModel(const Profile& profile, std::shared_ptr<const LayerTable> table);
+
+  // Either, making the table where one is needed: then about 2 s on one core. Cancelled if asked to
+  // stop. Errors: those of LayerTable::make. Precondition: validate(profile) passed.
+  static Result<std::shared_ptr<const SkinModel>> create(const Profile& profile,
+                                                         const JobContext& context = {});
 
   const Profile& profile() const { return profile_; }
   const EpidermalAbsorption& epidermis() const { return epidermis_; }
   const DermalAbsorption& dermis() const { return dermis_; }
   const LayerOptics& optics() const { return *optics_; }
+  // For chooseModelNodes().
+  NodeChoices& nodeChoices() const { return *nodeChoices_; }
 
   double reflectanceAt(int sample, const ParameterVector& parameters) const;
   Spectrum reflectance(const ParameterVector& parameters) const;
@@ -38,6 +51,9 @@ class SkinModel {
   double reflectanceAt(int sample, const ParameterVector& parameters,
                        ParameterVector& derivatives) const;
   Spectrum reflectance(const ParameterVector& parameters, SpectrumJacobian& derivatives) const;
+  // From derivatives by the layers' absorptions, at these parameters, to those by the parameters.
+  ParameterVector parameterDerivatives(int sample, const ParameterVector& parameters,
+                                       const LayeredReflectance& layered) const;
 
   // Whether the layer optics hold at this sample.
   bool holdsAt(int sample, const ParameterVector& parameters) const;
@@ -47,6 +63,7 @@ class SkinModel {
   EpidermalAbsorption epidermis_;
   DermalAbsorption dermis_;
   std::unique_ptr<const LayerOptics> optics_;
+  std::unique_ptr<NodeChoices> nodeChoices_ = std::make_unique<NodeChoices>();
 };
 
 }  // namespace cutis

@@ -5,6 +5,7 @@
 #include "core/base/content_hash.h"
 #include "core/fit/refined_solver.h"
 #include "core/fit/search_solver.h"
+#include "src/files/layer_table_cache.h"
 #include "src/files/profile_file.h"
 #include "src/files/spectral_library.h"
 #include "src/files/table_cache.h"
@@ -44,7 +45,11 @@ Result<std::shared_ptr<const SkinModel>> Engine::modelFromText(const std::string
   const std::string key = ContentHash().add(std::string_view(text)).digest();
   if (auto known = find(models_, key)) return known;
   CUTIS_TRY(profile, parseProfile(text, place));
-  return keep(models_, key, std::make_shared<const SkinModel>(profile));
+  if (profile.layerOptics == LayerOpticsKind::diffusion) {
+    return keep(models_, key, std::make_shared<const SkinModel>(profile));
+  }
+  CUTIS_TRY(table, cachedLayerTable(profile, cache_, {}));
+  return keep(models_, key, std::make_shared<const SkinModel>(profile, std::move(table)));
 }
 
 Result<std::shared_ptr<const PixelSolver>> Engine::solver(
