@@ -93,6 +93,7 @@ void LayerController::show(LayerKind layer) {
 }
 
 void LayerController::wantDetail() {
+  document_.lookAt(viewport_.visibleRect());
   detailWatch_->want({current_, viewport_.visibleRect(), viewport_.samplingStep()});
 }
 

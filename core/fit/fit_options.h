@@ -18,6 +18,9 @@ struct FitOptions {
   std::optional<NoiseModel> noise;
   // Parameters held at a value instead of being estimated (refined only).
   std::array<std::optional<double>, kParameterCount> fixed = {};
+  // Standard deviation of a further factor per pixel on all channels, of which 1 is expected; none:
+  // the photographs show pure albedo (refined only, core/fit/shading.h).
+  std::optional<double> shading;
   bool deviations = false;  // posterior standard deviations per parameter (refined only)
   bool residuals = false;   // measured minus modelled per channel
   PixelFormat mapFormat = PixelFormat::float32;

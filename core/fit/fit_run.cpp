@@ -8,6 +8,7 @@
 
 #include "core/base/parallel.h"
 #include "core/fit/pixel_grouping.h"
+#include "core/fit/tile_order.h"
 #include "core/skin/pixel_state.h"
 
 namespace cutis {
@@ -57,7 +58,7 @@ class TileFit {
   struct Solutions {
     std::size_t count = 0;
     std::vector<float> channels, parameters;
-    std::vector<float> deviations, residuals;  // if wanted
+    std::vector<float> deviations, residuals, shading;  // if wanted
     std::vector<std::uint8_t> states;
     std::vector<std::uint16_t> iterations;
 
@@ -66,6 +67,7 @@ class TileFit {
       solver.solve(batch, {states.data() + begin, iterations.data() + begin});
       if (!deviations.empty()) solver.deviations(batch, deviations.data() + begin);
       if (!residuals.empty()) solver.residuals(batch, residuals.data() + begin);
+      if (!shading.empty()) solver.shading(batch, shading.data() + begin);
     }
   };
 
@@ -124,6 +126,7 @@ class TileFit {
       solutions.deviations.resize(kParameterCount * solutions.count);
     }
     if (!planes_.residuals.empty()) solutions.residuals.resize(channelCount_ * solutions.count);
+    if (!planes_.shading.empty()) solutions.shading.resize(solutions.count);
     return solutions;
   }
 
@@ -143,6 +146,10 @@ class TileFit {
     if (!planes_.residuals.empty()) {
       residuals_.assign(channelCount_ * pixelCount_, 0.0f);
       spread(grouping, solutions.residuals, solutions.count, channelCount_, residuals_);
+    }
+    if (!planes_.shading.empty()) {
+      shading_.assign(pixelCount_, 0.0f);
+      spread(grouping, solutions.shading, solutions.count, 1, shading_);
     }
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       const std::uint32_t group = grouping.groupOf[i];
@@ -204,6 +211,7 @@ class TileFit {
     for (std::size_t k = 0; k < planes_.residuals.size(); ++k) {
       CUTIS_CHECK(planes_.residuals[k].store(rect_, row(residuals_, k)));
     }
+    if (!planes_.shading.empty()) CUTIS_CHECK(planes_.shading.store(rect_, shading_));
     return planes_.maps.state.store(rect_, states_);
   }
 
@@ -217,7 +225,7 @@ class TileFit {
   const Rect rect_;
   const std::size_t pixelCount_;
   const std::size_t channelCount_;
-  std::vector<float> channels_, states_, values_, deviations_, residuals_;
+  std::vector<float> channels_, states_, values_, deviations_, residuals_, shading_;
   std::vector<std::uint32_t> pixels_;
   TileResult result_;
 };
@@ -263,6 +271,7 @@ FitPlanes::FitPlanes(const Measurements& measurements, const FitOptions& options
   if (options.deviations) {
     for (int k = 0; k < kParameterCount; ++k) deviations.push_back(plane());
   }
+  if (options.shading) shading = plane();
   if (options.residuals) {
     for (std::size_t k = 0; k < measurements.channels.size(); ++k) residuals.push_back(plane());
   }
@@ -274,8 +283,14 @@ Result<FitStatistics> runFit(const Measurements& measurements, const PixelSolver
   const JobContext stage = context.child(0.0, 1.0, solver.stage());
   const auto tileCount = static_cast<std::size_t>(planes.maps.state.tileCount());
   std::vector<TileResult> tiles(tileCount);
-  CUTIS_CHECK(parallelFor(tileCount, stage, [&](std::size_t i) -> Status {
-    const Rect rect = planes.maps.state.tileRect(static_cast<int>(i));
+  std::vector<Rect> rects;
+  for (std::size_t i = 0; i < tileCount; ++i) {
+    rects.push_back(planes.maps.state.tileRect(static_cast<int>(i)));
+  }
+  TileOrder order(rects);
+  CUTIS_CHECK(parallelFor(tileCount, stage, [&](std::size_t) -> Status {
+    const std::size_t i = order.next(observer.view ? observer.view() : Rect{});
+    const Rect& rect = rects[i];
     CUTIS_TRY(tile, TileFit(measurements, solver, planes, rect).run(context));
     tiles[i] = std::move(tile);
     if (observer.finished) observer.finished(rect);

@@ -2,7 +2,7 @@
 
 // Solving a whole picture: which pixels, in which order, each how often.
 //
-// Tiles are independent and run on all cores. Masked, black, saturated and non-finite pixels are
+// Tiles are independent and run on all cores, those in view first. Masked, black, saturated and non-finite pixels are
 // never solved; equal pixels of a tile are solved once. What was done and what was skipped is
 // counted.
 
@@ -27,6 +27,7 @@ struct FitPlanes {
   ChromophoreMaps maps;
   std::vector<Plane> deviations;  // one per parameter, or none
   std::vector<Plane> residuals;   // one per channel, or none
+  Plane shading;                  // factor on all channels; empty unless it was estimated
 
   FitPlanes() = default;
   FitPlanes(const Measurements& measurements, const FitOptions& options,
@@ -54,6 +55,8 @@ struct FitStatistics {
 struct FitObserver {
   // A rectangle of the planes has its final values. Called from any thread.
   std::function<void(const Rect&)> finished;
+  // What somebody looks at now, in pixels: tiles near its middle come first. Called from any thread.
+  std::function<Rect()> view;
 };
 
 // Fills planes, which were made for these measurements. Cancelled if asked to stop: the planes are

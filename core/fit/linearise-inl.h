@@ -12,7 +12,7 @@
 
 #include "core/fit/normal_equations-inl.h"
 #include "core/fit/refined_kernel.h"
-#include "core/skin/diffusion-inl.h"
+#include "core/skin/node_reflectance-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -101,7 +101,7 @@ HWY_INLINE void ModelWithDerivatives(D d, const RefinedProblem<hn::TFromD<D>>& p
                    point.value[kHaemoglobinDermal], point.value[kHaemoglobinEpidermal],
                    point.value[kCarotene], epidermal, dermal);
     const LayeredVectors<V> layered =
-        LayeredReflectanceOf<true>(d, problem.layers, node, epidermal, dermal);
+        NodeReflectanceOf<true>(d, problem.layers, node, epidermal, dermal);
     const V slope = layered.perEpidermalAbsorption;
     const V contrast = hn::Set(d, node.melaninContrast);
     const V melanin =
@@ -131,7 +131,7 @@ HWY_INLINE void ModelOnly(D d, const RefinedProblem<hn::TFromD<D>>& problem,
                    point.value[kHaemoglobinDermal], point.value[kHaemoglobinEpidermal],
                    point.value[kCarotene], epidermal, dermal);
     nodes[n][0] =
-        LayeredReflectanceOf<false>(d, problem.layers, problem.nodes[n], epidermal, dermal)
+        NodeReflectanceOf<false>(d, problem.layers, problem.nodes[n], epidermal, dermal)
             .reflectance;
   }
   SumAllNodes<4, 1>(d, problem, nodes, channels);
@@ -142,13 +142,77 @@ HWY_INLINE void ModelOnly(D d, const RefinedProblem<hn::TFromD<D>>& problem,
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void AddPrior(D d, const RefinedProblem<hn::TFromD<D>>& problem, const V* coordinates,
                          V* downhill, V& cost) {
+  V towardsMean[kParameterCount];
+  for (int i = 0; i < kParameterCount; ++i) {
+    towardsMean[i] = hn::Sub(hn::Set(d, problem.priorMean[i]), coordinates[i]);
+  }
   for (int i = 0; i < kParameterCount; ++i) {
     if (problem.isFixed[i]) continue;
-    const V towardsMean = hn::Sub(hn::Set(d, problem.priorMean[i]), coordinates[i]);
-    const V pull = hn::Mul(towardsMean, hn::Set(d, problem.priorPrecision[i]));
+    V pull = hn::Mul(towardsMean[i], hn::Set(d, problem.priorPrecision[i][i]));
+    for (int j = 0; j < kParameterCount; ++j) {
+      // Most priors know of no correlation.
+      if (j == i || problem.priorPrecision[i][j] == 0) continue;
+      pull = hn::MulAdd(towardsMean[j], hn::Set(d, problem.priorPrecision[i][j]), pull);
+    }
     downhill[i] = hn::Add(downhill[i], pull);
-    cost = hn::MulAdd(pull, towardsMean, cost);
+    cost = hn::MulAdd(pull, towardsMean[i], cost);
   }
+}
+
+// The factor on all channels that suits the modelled ones best, see core/fit/shading.h, and the
+// cost's curvature along it.
+template <class V>
+struct ShadingVectors {
+  V factor;
+  V curvature;
+};
+
+template <std::size_t kColumns, class D, class V = hn::Vec<D>>
+HWY_INLINE ShadingVectors<V> ShadingOf(D d, const RefinedProblem<hn::TFromD<D>>& problem,
+                                       const V* measured, const V* precision,
+                                       const V (*channels)[kColumns]) {
+  const V prior = hn::Set(d, problem.shadingPrecision);
+  V above = prior, below = prior;
+  for (std::size_t k = 0; k < problem.channelCount; ++k) {
+    const V weighted = hn::Mul(precision[k], channels[k][0]);
+    above = hn::MulAdd(weighted, measured[k], above);
+    below = hn::MulAdd(weighted, channels[k][0], below);
+  }
+  return {hn::Div(above, below), below};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V ShadingCost(D d, const RefinedProblem<hn::TFromD<D>>& problem, V factor) {
+  const V away = hn::Sub(factor, hn::Set(d, hn::TFromD<D>(1)));
+  return hn::Mul(hn::Mul(away, away), hn::Set(d, problem.shadingPrecision));
+}
+
+// The channels' part of the normal equations, with a factor that follows the parameters: what it can
+// make up for is no information about them.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void AddShadedChannels(D d, const RefinedProblem<hn::TFromD<D>>& problem,
+                                  const V* measured, const V* precision,
+                                  const V (*channels)[kLinearColumns],
+                                  NormalEquations<V>& normal) {
+  const ShadingVectors<V> shading = ShadingOf(d, problem, measured, precision, channels);
+  V cross[kParameterCount];
+  for (V& value : cross) value = hn::Zero(d);
+  for (std::size_t k = 0; k < problem.channelCount; ++k) {
+    V row[kParameterCount];
+    const V weighted = hn::Mul(precision[k], channels[k][0]);
+    for (int i = 0; i < kParameterCount; ++i) {
+      row[i] = hn::Mul(shading.factor, channels[k][1 + i]);
+      cross[i] = hn::MulAdd(weighted, row[i], cross[i]);
+    }
+    normal.Add(d, row, hn::NegMulAdd(shading.factor, channels[k][0], measured[k]), precision[k]);
+  }
+  for (int i = 0; i < kParameterCount; ++i) {
+    const V share = hn::Div(cross[i], shading.curvature);
+    for (int j = 0; j <= i; ++j) {
+      normal.hessian[i][j] = hn::NegMulAdd(share, cross[j], normal.hessian[i][j]);
+    }
+  }
+  normal.cost = hn::Add(normal.cost, ShadingCost(d, problem, shading.factor));
 }
 
 // channels: from ModelWithDerivatives().
@@ -158,13 +222,20 @@ HWY_INLINE void BuildNormalEquations(D d, const RefinedProblem<hn::TFromD<D>>& p
                                      const V (*channels)[kLinearColumns],
                                      NormalEquations<V>& normal) {
   normal.Clear(d);
-  for (std::size_t k = 0; k < problem.channelCount; ++k) {
-    normal.Add(d, channels[k] + 1, hn::Sub(measured[k], channels[k][0]), precision[k]);
+  if (problem.shadingPrecision > 0) {
+    AddShadedChannels(d, problem, measured, precision, channels, normal);
+  } else {
+    for (std::size_t k = 0; k < problem.channelCount; ++k) {
+      normal.Add(d, channels[k] + 1, hn::Sub(measured[k], channels[k][0]), precision[k]);
+    }
   }
   AddPrior(d, problem, coordinates, normal.downhill, normal.cost);
   for (int i = 0; i < kParameterCount; ++i) {
     if (problem.isFixed[i]) continue;
-    normal.hessian[i][i] = hn::Add(normal.hessian[i][i], hn::Set(d, problem.priorPrecision[i]));
+    for (int j = 0; j <= i; ++j) {
+      normal.hessian[i][j] =
+          hn::Add(normal.hessian[i][j], hn::Set(d, problem.priorPrecision[i][j]));
+    }
   }
 }
 

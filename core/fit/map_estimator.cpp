@@ -58,7 +58,11 @@ ParameterVector MapEstimator::stepWithinBox(const ParameterMatrix& hessian,
 
 MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
                            const EstimatorOptions& options)
-    : model_(model), nodes_(std::move(nodes)), options_(options) {
+    : model_(model),
+      measured_(model, options.geometry),
+      nodes_(std::move(nodes)),
+      options_(options) {
+  if (options_.prior) priorPrecision_ = options_.prior->precision();
   for (Index k = 0; k < nodes_.weights.rows(); ++k) {
     alive_.push_back((nodes_.weights.row(k).array() != 0.0).any());
   }
@@ -68,8 +72,6 @@ MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
     high_[i] = coordinate(i, maximum);
     if (options_.prior) {
       priorMean_[i] = coordinate(i, options_.prior->mean[i]);
-      const double deviation = options_.prior->deviation[i];
-      priorPrecision_[i] = 1.0 / (deviation * deviation);
     } else {
       priorMean_[i] = 0.5 * (low_[i] + high_[i]);
     }
@@ -98,7 +100,7 @@ MapEstimator::Linearisation MapEstimator::linearise(const ParameterVector& coord
   for (Index n = 0; n < count; ++n) {
     ParameterVector row;
     reflectance[n] =
-        model_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters, row);
+        measured_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters, row);
     for (int i = 0; i < kParameterCount; ++i) {
       slopes(n, i) = isLog(i) ? row[i] * parameters[i] : row[i];
     }
@@ -112,12 +114,12 @@ double MapEstimator::cost(const VectorXd& channels, const VectorXd& precision,
   VectorXd reflectance(static_cast<Index>(nodes_.samples.size()));
   for (Index n = 0; n < reflectance.size(); ++n) {
     reflectance[n] =
-        model_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters);
+        measured_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters);
   }
   const VectorXd residual = channels - nodes_.weights * reflectance;
   double sum = (precision.array() * residual.array().square()).sum();
-  sum += (priorPrecision_ * (coordinates - priorMean_).square()).sum();
-  return sum;
+  const auto away = (coordinates - priorMean_).matrix();
+  return sum + away.dot(priorPrecision_ * away);
 }
 
 Estimate MapEstimator::solve(const VectorXd& channels) const {
@@ -151,10 +153,10 @@ Estimate MapEstimator::solve(const VectorXd& channels, const ParameterVector& st
     const Linearisation at = linearise(x);
     residual = channels - at.modelled;
     hessian = at.jacobian.transpose() * precision.asDiagonal() * at.jacobian;
-    hessian.diagonal() += priorPrecision_.matrix();
+    hessian += priorPrecision_;
     const Eigen::Matrix<double, kParameterCount, 1> downhill =
         at.jacobian.transpose() * precision.asDiagonal() * residual -
-        (priorPrecision_ * (x - priorMean_)).matrix();
+        priorPrecision_ * (x - priorMean_).matrix();
     if (estimate.converged || estimate.iterations >= options_.maximumIterations) break;
 
     // Coordinates that stay: fixed ones, and those at a bound that want to leave the box.

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include "core/rig/rig.h"
+#include "core/skin/measured_model.h"
 #include "core/skin/prior.h"
 #include "core/skin/skin_model.h"
 #include "core/spectra/spectral_nodes.h"
@@ -26,6 +27,7 @@ using ParameterMatrix = Eigen::Matrix<double, kParameterCount, kParameterCount>;
 struct EstimatorOptions {
   std::optional<Prior> prior;  // none: bounded least squares
   NoiseModel noise;
+  MeasurementGeometry geometry;  // how the channels see the skin
   // Parameters held at a value instead of being estimated.
   std::array<std::optional<double>, kParameterCount> fixed = {};
   int maximumIterations = 200;
@@ -73,12 +75,13 @@ class MapEstimator {
                                 std::array<bool, kParameterCount> held) const;
 
   const SkinModel& model_;
+  MeasuredModel measured_;
   SpectralNodes nodes_;
   EstimatorOptions options_;
   std::vector<bool> alive_;  // per row
   ParameterVector low_, high_;  // box, in coordinates
   ParameterVector priorMean_ = ParameterVector::Zero();       // in coordinates
-  ParameterVector priorPrecision_ = ParameterVector::Zero();  // 1 / s²
+  ParameterMatrix priorPrecision_ = ParameterMatrix::Zero();  // inverse covariance
 };
 
 }  // namespace cutis

@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 
+#include "core/fit/shading.h"
 #include "core/skin/response_model.h"
 
 namespace cutis {
@@ -39,8 +42,12 @@ class PixelSolver {
   virtual void deviations(const PixelBatch& batch, float* deviations) const = 0;
   virtual bool hasDeviations() const = 0;
 
-  // Measured minus modelled at batch.parameters: [channel][stride].
+  // Measured minus modelled, shading included, at batch.parameters: [channel][stride].
   void residuals(const PixelBatch& batch, float* residuals) const;
+
+  // The factor on all channels at batch.parameters, one per pixel. Precondition: hasShading().
+  void shading(const PixelBatch& batch, float* factors) const;
+  bool hasShading() const { return shading_.has_value(); }
 
   // What the interface calls its work, e.g. "refined fit".
   virtual const char* stage() const = 0;
@@ -50,12 +57,16 @@ class PixelSolver {
 
  protected:
   // channels: the rows of the rig.
-  explicit PixelSolver(std::shared_ptr<const ResponseModel> channels)
-      : channels_(std::move(channels)) {}
+  explicit PixelSolver(std::shared_ptr<const ResponseModel> channels,
+                       const std::optional<ShadingModel>& shading = {})
+      : channels_(std::move(channels)), shading_(shading) {}
   const ResponseModel& channelModel() const { return *channels_; }
 
  private:
+  void evaluateChannels(const PixelBatch& batch, float* modelled) const;
+
   std::shared_ptr<const ResponseModel> channels_;
+  std::optional<ShadingModel> shading_;
 };
 
 }  // namespace cutis

@@ -6,12 +6,24 @@
 #include <hwy/highway.h>
 
 #include "core/fit/linearise-inl.h"
+#include "core/fit/posterior_spread-inl.h"
 #include "core/skin/partial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+// Half the negative gradient of the cost along a coordinate at its bound, the others following, where
+// it leads out of the box. Elsewhere an estimate is the lowest point, up to a tolerance.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V OutwardPull(D d, const RefinedProblem<float>& problem, int k, V point, V step,
+                         V variance) {
+  const V zero = hn::Zero(d);
+  const auto below = hn::And(hn::Le(point, hn::Set(d, problem.low[k])), hn::Lt(step, zero));
+  const auto above = hn::And(hn::Ge(point, hn::Set(d, problem.high[k])), hn::Gt(step, zero));
+  return hn::IfThenElseZero(hn::Or(below, above), hn::Div(step, variance));
+}
 
 void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch) {
   const hn::ScalableTag<float> d;
@@ -28,7 +40,9 @@ void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch
     }
     V point[kParameterCount];
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      point[k] = LoadFirst(d, batch.coordinates + k * batch.stride + i, live);
+      // A parameter that was stored and read again may have left the box by rounding.
+      point[k] = hn::Clamp(LoadFirst(d, batch.coordinates + k * batch.stride + i, live),
+                           hn::Set(d, problem.low[k]), hn::Set(d, problem.high[k]));
     }
     V modelled[kMaximumFitChannels][kLinearColumns];
     ModelWithDerivatives(d, problem, PointOf(d, problem, point), modelled);
@@ -39,12 +53,19 @@ void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch
     }
     Factorisation<V> factor;
     normal.Factorise(d, factor);
+    V step[kParameterCount];
+    factor.Solve(d, normal.downhill, step);
     for (int k = 0; k < kParameterCount; ++k) {
       V unit[kParameterCount];
       for (int j = 0; j < kParameterCount; ++j) unit[j] = hn::Set(d, j == k ? 1.0f : 0.0f);
       V column[kParameterCount];
       factor.Solve(d, unit, column);
-      const V deviation = problem.isFixed[k] ? hn::Zero(d) : hn::Sqrt(column[k]);
+      V deviation = hn::Zero(d);
+      if (!problem.isFixed[k]) {
+        const V outward = OutwardPull(d, problem, k, point[k], step[k], column[k]);
+        deviation = CoordinatePosterior<decltype(d)>(d, problem, k, point[k], column[k], outward)
+                        .Spread(d, hn::Sqrt(column[k]));
+      }
       StoreFirst(d, deviation, batch.deviations + static_cast<std::size_t>(k) * batch.stride + i,
                  live);
     }

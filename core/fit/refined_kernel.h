@@ -50,8 +50,11 @@ struct RefinedProblem {
   T low[kParameterCount];
   T high[kParameterCount];
   T priorMean[kParameterCount];       // of a fixed parameter: where it is fixed
-  T priorPrecision[kParameterCount];  // 1 / s²
-  T rootOffset[kParameterCount];      // c where a step follows √(C + c); 0: straight
+  // Inverse covariance of the coordinates; no coupling with fixed ones.
+  T priorPrecision[kParameterCount][kParameterCount];
+  T priorDeviation[kParameterCount];  // of each coordinate by itself
+  T rootOffset[kParameterCount];      // c where channels follow √(C + c); 0 where they follow C
+  T shadingPrecision;                 // 1 / s² of a factor on all channels, 1 expected; 0: none
   T tolerance;                        // in units of one standard deviation²
   int maximumRounds;
   const StartPolynomial* start;  // null: begin where the batch says

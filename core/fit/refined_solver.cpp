@@ -1,12 +1,12 @@
 #include "core/fit/refined_solver.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "core/fit/coordinate_prior.h"
 #include "core/fit/posterior_kernel.h"
 #include "core/fit/refined_kernel.h"
 #include "core/fit/start_polynomial.h"
@@ -19,7 +19,7 @@ namespace {
 
 // A pixel is done when the next step would lower its cost by less than this: the step it then takes
 // leaves a few hundredths of a posterior deviation.
-constexpr double kTolerance = 0.02;
+constexpr double kTolerance = 0.03;
 constexpr double kExactTolerance = 1e-9;
 constexpr int kMaximumRounds = 100;
 constexpr int kExactMaximumRounds = 400;
@@ -28,9 +28,6 @@ constexpr double kExactNodeTolerance = 1e-6;
 // The least noise that is assumed: stands in for "none" where none is asked for, and for read noise
 // in channels that are all but black, whose proportional noise would be nothing.
 constexpr double kExactNoise = 1e-6;
-// The log scale ends here, as a share of the parameter's range: far below what can be measured.
-constexpr double kSmallestShare = 1e-7;
-
 // A problem with the arrays it points to, for one precision.
 template <typename T>
 class ProblemData {
@@ -51,6 +48,9 @@ class ProblemData {
     problem_.readVariance = static_cast<T>(noise.read * noise.read);
     problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
     problem_.maximumRounds = kMaximumRounds;
+    if (options.shading) {
+      problem_.shadingPrecision = static_cast<T>(1.0 / (*options.shading * *options.shading));
+    }
     setCoordinates(model.profile().axes, prior, options);
     setCurvature(model);
   }
@@ -62,21 +62,18 @@ class ProblemData {
 
  private:
   void setCoordinates(const ParameterAxes& axes, const Prior& prior, const FitOptions& options) {
+    const CoordinatePrior coordinates = coordinatePrior(prior, axes, options.fixed);
     for (int i = 0; i < kParameterCount; ++i) {
       const auto index = static_cast<std::size_t>(i);
-      const double maximum = axes[index].maximum;
-      const auto& fixed = options.fixed[index];
-      // A fixed parameter may be 0, where there is no logarithm.
-      const bool isLog = prior.isLog(i) && !fixed;
-      const auto coordinate = [&](double value) {
-        return static_cast<T>(isLog ? std::log(std::max(value, kSmallestShare * maximum)) : value);
-      };
-      problem_.isLog[i] = isLog;
-      problem_.isFixed[i] = fixed.has_value();
-      problem_.low[i] = coordinate(0.0);
-      problem_.high[i] = coordinate(maximum);
-      problem_.priorMean[i] = coordinate(fixed.value_or(prior.mean[i]));
-      problem_.priorPrecision[i] = static_cast<T>(1.0 / (prior.deviation[i] * prior.deviation[i]));
+      problem_.isLog[i] = coordinates.isLog[index];
+      problem_.isFixed[i] = coordinates.isFixed[index];
+      problem_.low[i] = static_cast<T>(coordinates.low[i]);
+      problem_.high[i] = static_cast<T>(coordinates.high[i]);
+      problem_.priorMean[i] = static_cast<T>(coordinates.mean[i]);
+      problem_.priorDeviation[i] = static_cast<T>(coordinates.deviation[i]);
+      for (int j = 0; j < kParameterCount; ++j) {
+        problem_.priorPrecision[i][j] = static_cast<T>(coordinates.precision(i, j));
+      }
     }
   }
 
@@ -84,7 +81,7 @@ class ProblemData {
   void setCurvature(const SkinModel& model) {
     constexpr int green = (550 - kFirstWavelengthNm) / kWavelengthStepNm;
     const auto offset = [&](int i, double base, double chromophore) {
-      problem_.rootOffset[i] = problem_.isLog[i] ? T(0) : static_cast<T>(base / chromophore);
+      problem_.rootOffset[i] = static_cast<T>(base / chromophore);
     };
     offset(kMelanin, model.epidermis().base[green], model.epidermis().eumelanin[green]);
     offset(kHaemoglobinDermal, model.dermis().base[green], model.dermis().blood[green]);
@@ -95,8 +92,14 @@ class ProblemData {
   RefinedProblem<T> problem_ = {};
 };
 
-NoiseModel effectiveNoise(const NoiseModel& noise) {
+NoiseModel effectiveNoise(const Rig& rig, const FitOptions& options) {
+  const NoiseModel noise = options.noise.value_or(rig.noise);
   return {std::max(noise.read, kExactNoise), noise.proportional};
+}
+
+std::optional<ShadingModel> shadingOf(const Rig& rig, const FitOptions& options) {
+  if (!options.shading) return {};
+  return ShadingModel{effectiveNoise(rig, options), *options.shading};
 }
 
 class RefinedSolver final : public PixelSolver {
@@ -105,15 +108,25 @@ class RefinedSolver final : public PixelSolver {
                 bool exact)
       : PixelSolver(std::make_shared<ResponseModel>(
             *model, responseRows(rig),
-            NodeOptions{exact ? kExactNodeTolerance : kNodeTolerance, int{kMaximumFitNodes}})),
+            NodeOptions{exact ? kExactNodeTolerance : kNodeTolerance, int{kMaximumFitNodes}}),
+                    shadingOf(rig, options)),
         model_(std::move(model)),
         prior_(options.prior.value_or(model_->profile().prior)),
-        noise_(effectiveNoise(options.noise.value_or(rig.noise))),
-        start_(trainStartPolynomial(*model_, channelModel().nodes(), prior_, noise_,
-                                    options.fixed)),
+        noise_(effectiveNoise(rig, options)),
         single_(*model_, channelModel().nodes(), prior_, noise_, options) {
-    single_.problem().start = &start_;
     single_.problem().tolerance = static_cast<float>(kTolerance);
+    const auto solveFrom = [this](const StartPolynomial& start, std::size_t count,
+                                  const float* channels, float* coordinates) {
+      std::vector<std::uint8_t> converged(count);
+      std::vector<std::uint16_t> rounds(count);
+      single_.problem().start = &start;
+      runRefinedKernel<float>(single_.problem(), {count, count, channels, coordinates,
+                                                  converged.data(), rounds.data()});
+    };
+    start_ = trainStartPolynomial({*model_, channelModel().nodes(), prior_, noise_, options.fixed,
+                                   options.shading.value_or(0.0)},
+                                  solveFrom);
+    single_.problem().start = &start_;
     if (exact) {
       double_ = std::make_unique<ProblemData<double>>(*model_, channelModel().nodes(), prior_,
                                                       noise_, options);
@@ -191,7 +204,7 @@ class RefinedSolver final : public PixelSolver {
   std::shared_ptr<const SkinModel> model_;
   Prior prior_;
   NoiseModel noise_;
-  StartPolynomial start_;
+  StartPolynomial start_ = {};
   ProblemData<float> single_;
   std::unique_ptr<ProblemData<double>> double_;
 };

@@ -157,7 +157,7 @@ class Refiner {
         continue;
       }
       V move = hn::Mul(share, step[i]);
-      if (problem_.rootOffset[i] > T(0)) {
+      if (problem_.rootOffset[i] > T(0) && !problem_.isLog[i]) {
         // √(C + c) moves in proportion: C changes by δ + δ² / 4 (C + c).
         const V root = hn::Add(base[i], hn::Set(d, problem_.rootOffset[i]));
         const V bend = hn::Div(move, hn::Mul(hn::Set(d, T(4)), root));
@@ -241,15 +241,23 @@ class Refiner {
     V modelled[kMaximumFitChannels][1];
     ModelOnly(d, problem_, PointOf(d, problem_, trial), modelled);
     V cost = hn::Zero(d);
+    V shading = hn::Set(d, T(1));
+    if (problem_.shadingPrecision > T(0)) {
+      shading = ShadingOf(d, problem_, lanes_.channels, lanes_.precision, modelled).factor;
+      cost = ShadingCost(d, problem_, shading);
+    }
     V downhill[kParameterCount];
     for (V& component : downhill) component = hn::Zero(d);
     for (std::size_t k = 0; k < problem_.channelCount; ++k) {
-      const V residual = hn::Sub(lanes_.channels[k], modelled[k][0]);
+      const V residual = hn::NegMulAdd(shading, modelled[k][0], lanes_.channels[k]);
       const V weighted = hn::Mul(residual, lanes_.precision[k]);
       cost = hn::MulAdd(weighted, residual, cost);
       for (int i = 0; i < kParameterCount; ++i) {
         downhill[i] = hn::MulAdd(weighted, lanes_.modelled[k][1 + i], downhill[i]);
       }
+    }
+    if (problem_.shadingPrecision > T(0)) {
+      for (V& component : downhill) component = hn::Mul(shading, component);
     }
     AddPrior(d, problem_, trial, downhill, cost);
     DoubtHeld(trial, downhill);
@@ -303,7 +311,7 @@ class Refiner {
     // A chord step is small across a valley even where the way along it is long, and promises less
     // than there is; only one that is far smaller than the step before tells that the end is near.
     if constexpr (kChord) {
-      limit = hn::Min(hn::Mul(limit, hn::Set(d, T(0.1))), hn::Mul(before, hn::Set(d, T(0.01))));
+      limit = hn::Min(hn::Mul(limit, hn::Set(d, T(0.3))), hn::Mul(before, hn::Set(d, T(0.02))));
     }
     M small = hn::And(accepted, hn::Lt(decrease, limit));
     if constexpr (kChord) small = hn::And(small, hn::Eq(lanes_.unsure, zero));

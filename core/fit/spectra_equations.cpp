@@ -54,8 +54,12 @@ struct ParameterColumns {
 
 }  // namespace
 
-SpectralMisfit::SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm)
-    : axes_(model.profile().axes), nodes_(model, samplesNeeded(wavelengthsNm)) {
+SpectralMisfit::SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
+                               double edgeLossPerMm)
+    : model_(model),
+      measured_(model, {0.0, 1.0, edgeLossPerMm}),
+      axes_(model.profile().axes),
+      nodes_(model, samplesNeeded(wavelengthsNm)) {
   const std::vector<int>& samples = nodes_.samples();
   for (const double wavelength : wavelengthsNm) {
     Row row;
@@ -76,11 +80,48 @@ SpectralMisfit::SpectralMisfit(const SkinModel& model, std::span<const double> w
   }
 }
 
-Eigen::MatrixXd SpectralMisfit::spectra(std::span<const ParameterVector> sets) const {
+SpectralMisfit::NodeValues SpectralMisfit::evaluate(std::span<const ParameterVector> sets,
+                                                    bool derivatives) const {
+  NodeValues values;
+  const std::size_t size = slopes_.size() * sets.size();
+  values.reflectance.resize(size);
+  if (derivatives) {
+    values.perEpidermal.resize(size);
+    values.perDermal.resize(size);
+  }
+  if (measured_.geometry().edgeLossPerMm > 0.0) {
+    evaluateSingly(sets, values);
+    return values;
+  }
   const ParameterColumns columns(sets);
+  if (derivatives) {
+    reflectanceBatch<double>(nodes_, columns.batch, values.reflectance.data(),
+                             values.perEpidermal.data(), values.perDermal.data());
+  } else {
+    reflectanceBatch<double>(nodes_, columns.batch, values.reflectance.data());
+  }
+  return values;
+}
+
+// Edge loss bends the dermis's absorption, which the vectorised model takes to be linear.
+void SpectralMisfit::evaluateSingly(std::span<const ParameterVector> sets,
+                                    NodeValues& values) const {
+  for (std::size_t at = 0; at < values.reflectance.size(); ++at) {
+    const int sample = nodes_.samples()[at / sets.size()];
+    const ParameterVector& set = sets[at % sets.size()];
+    const LayeredReflectance layered =
+        measured_.evaluate(sample, epidermalAbsorptionAt(model_.epidermis(), sample, set),
+                           dermalAbsorptionAt(model_.dermis(), sample, set));
+    values.reflectance[at] = layered.reflectance;
+    if (values.perDermal.empty()) continue;
+    values.perEpidermal[at] = layered.perEpidermalAbsorption;
+    values.perDermal[at] = layered.perDermalAbsorption;
+  }
+}
+
+Eigen::MatrixXd SpectralMisfit::spectra(std::span<const ParameterVector> sets) const {
   const std::size_t count = sets.size();
-  std::vector<double> reflectance(slopes_.size() * count);
-  reflectanceBatch<double>(nodes_, columns.batch, reflectance.data());
+  const std::vector<double> reflectance = evaluate(sets, false).reflectance;
   Eigen::MatrixXd spectra(rows_.size(), count);
   for (std::size_t w = 0; w < rows_.size(); ++w) {
     const Row& row = rows_[w];
@@ -95,12 +136,8 @@ Eigen::MatrixXd SpectralMisfit::spectra(std::span<const ParameterVector> sets) c
 
 std::vector<SpectralEquations> SpectralMisfit::equations(
     std::span<const ParameterVector> sets, std::span<const double* const> measured) const {
-  const ParameterColumns columns(sets);
   const std::size_t count = sets.size();
-  const std::size_t size = slopes_.size() * count;
-  std::vector<double> reflectance(size), perEpidermal(size), perDermal(size);
-  reflectanceBatch<double>(nodes_, columns.batch, reflectance.data(), perEpidermal.data(),
-                           perDermal.data());
+  const auto [reflectance, perEpidermal, perDermal] = evaluate(sets, true);
 
   // [sum][set]: the loops over sets run in vectors.
   std::vector<double> sums(kSums * count);

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include "core/skin/measured_model.h"
 #include "core/skin/node_model.h"
 #include "core/skin/skin_model.h"
 
@@ -31,8 +32,11 @@ struct SpectralEquations {
 // Thread-safe: const after construction.
 class SpectralMisfit {
  public:
-  // wavelengthsNm: increasing, within the grid.
-  SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm);
+  // wavelengthsNm: increasing, within the grid. edgeLossPerMm: that of the measurement
+  // (core/skin/measurement_geometry.h); where there is one, the model is evaluated one set at a
+  // time, which costs several times as much. The model outlives the misfit.
+  SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
+                 double edgeLossPerMm = 0.0);
 
   std::size_t wavelengthCount() const { return rows_.size(); }
   const ParameterAxes& axes() const { return axes_; }
@@ -45,6 +49,12 @@ class SpectralMisfit {
                                            std::span<const double* const> measured) const;
 
  private:
+  // [node][set]; derivatives by the absorptions of the layers, or none.
+  struct NodeValues {
+    std::vector<double> reflectance, perEpidermal, perDermal;
+  };
+  NodeValues evaluate(std::span<const ParameterVector> sets, bool derivatives) const;
+  void evaluateSingly(std::span<const ParameterVector> sets, NodeValues& values) const;
   // A wavelength between two nodes, or at one (both the same).
   struct Row {
     std::size_t lower = 0;
@@ -54,6 +64,8 @@ class SpectralMisfit {
   // Absorption per unit of each coordinate: of the epidermis, but for dermal haemoglobin.
   using NodeSlopes = std::array<double, kParameterCount>;
 
+  const SkinModel& model_;
+  MeasuredModel measured_;  // its edge loss alone
   ParameterAxes axes_;
   std::vector<Row> rows_;
   NodeModel nodes_;

@@ -214,10 +214,14 @@ Status runSearches(const SpectralMisfit& misfit, std::vector<Search>& searches,
 Result<std::vector<SpectrumFit>> fitSpectra(const SkinModel& model,
                                             std::span<const double> wavelengthsNm,
                                             std::span<const double> reflectances,
-                                            const JobContext& context) {
-  const SpectralMisfit misfit(model, wavelengthsNm);
+                                            const JobContext& context,
+                                            const MeasurementGeometry& geometry) {
+  const SpectralMisfit misfit(model, wavelengthsNm, geometry.edgeLossPerMm);
   const Starts starts(misfit);
   const std::size_t width = wavelengthsNm.size();
+  std::vector<double> modelled(reflectances.size());
+  std::transform(reflectances.begin(), reflectances.end(), modelled.begin(),
+                 [&](double measured) { return modelReflectance(geometry, measured); });
   std::vector<SpectrumFit> fits(reflectances.size() / width);
   const std::size_t pieces = (fits.size() + kSpectraPerPiece - 1) / kSpectraPerPiece;
   CUTIS_CHECK(parallelFor(pieces, context, [&](std::size_t piece) -> Status {
@@ -225,14 +229,15 @@ Result<std::vector<SpectrumFit>> fitSpectra(const SkinModel& model,
     const std::size_t last = std::min(first + kSpectraPerPiece, fits.size());
     std::vector<Search> searches;
     for (std::size_t i = first; i < last; ++i) {
-      starts.addNearest(reflectances.data() + i * width, searches);
+      starts.addNearest(modelled.data() + i * width, searches);
     }
     CUTIS_CHECK(runSearches(misfit, searches, context));
     for (std::size_t i = first; i < last; ++i) {
       const auto own = searches.begin() + static_cast<std::ptrdiff_t>((i - first) * kStarts);
       const auto best = std::min_element(
           own, own + kStarts, [](const Search& a, const Search& b) { return a.cost() < b.cost(); });
-      fits[i] = {best->parameters(), std::sqrt(best->cost() / static_cast<double>(width))};
+      const double rmse = std::sqrt(best->cost() / static_cast<double>(width));
+      fits[i] = {best->parameters(), geometry.enteringShare * rmse};
     }
     return {};
   }));

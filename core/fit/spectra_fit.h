@@ -18,6 +18,7 @@
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
+#include "core/skin/measurement_geometry.h"
 #include "core/skin/skin_model.h"
 
 namespace cutis {
@@ -32,12 +33,15 @@ struct SpectrumFit {
 };
 
 // wavelengthsNm: strictly increasing, within the grid, at least kFewestWavelengths.
-// reflectances: [spectrum][wavelength], shares from 0 to 1, finite.
+// reflectances: [spectrum][wavelength], shares from 0 to 1, finite, as `geometry` measures them;
+// the RMSE is of them. Precondition: validate(geometry) passed.
 // One result per spectrum, in order. Fails only when cancelled or out of memory. About 0.3 ms a
-// spectrum and core at 31 wavelengths, in proportion to their number.
+// spectrum and core at 31 wavelengths, in proportion to their number; several times that with edge
+// loss.
 Result<std::vector<SpectrumFit>> fitSpectra(const SkinModel& model,
                                             std::span<const double> wavelengthsNm,
                                             std::span<const double> reflectances,
-                                            const JobContext& context);
+                                            const JobContext& context,
+                                            const MeasurementGeometry& geometry = {});
 
 }  // namespace cutis

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/fit/coordinate_prior.h"
 #include "core/skin/reflectance_batch.h"
 
 namespace cutis {
@@ -19,6 +20,7 @@ using Eigen::VectorXd;
 constexpr Index kPixels = 12000;
 constexpr std::uint64_t kSeed = 31;
 constexpr double kSmallestChannel = 1e-4;
+constexpr double kDarkestShade = 0.05;
 // A component is limited to this many of its standard deviations (start_polynomial-inl.h).
 constexpr double kLimit = 4.0;
 
@@ -28,33 +30,33 @@ static_assert(3 * kMaximumLights <= static_cast<int>(kMaximumFitChannels));
 std::vector<ParameterVector> drawFromPrior(
     const ParameterAxes& axes, const Prior& prior,
     const std::array<std::optional<double>, kParameterCount>& fixed) {
+  constexpr int kTries = 32;
+  const ParameterMatrix factor = prior.correlation.llt().matrixL();
   Random random(kSeed);
   std::vector<ParameterVector> pixels(static_cast<std::size_t>(kPixels));
   for (ParameterVector& p : pixels) {
-    for (int i = 0; i < kParameterCount; ++i) {
-      const auto index = static_cast<std::size_t>(i);
-      if (fixed[index]) {
-        p[i] = *fixed[index];
-        continue;
+    bool inside = false;
+    for (int attempt = 0; attempt < kTries && !inside; ++attempt) {
+      ParameterVector normal;
+      for (double& value : normal) value = random.normal();
+      const ParameterVector away = (factor * normal.matrix()).array() * prior.deviation;
+      inside = true;
+      for (int i = 0; i < kParameterCount; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        const double maximum = axes[index].maximum;
+        p[i] = prior.isLog(i) ? prior.mean[i] * std::exp(away[i]) : prior.mean[i] + away[i];
+        inside = inside && p[i] >= 0.0 && p[i] <= maximum;
+        p[i] = fixed[index].value_or(std::clamp(p[i], 0.0, maximum));
       }
-      const double maximum = axes[index].maximum;
-      constexpr int kTries = 32;
-      for (int attempt = 0; attempt < kTries; ++attempt) {
-        const double z = prior.deviation[i] * random.normal();
-        p[i] = prior.isLog(i) ? prior.mean[i] * std::exp(z) : prior.mean[i] + z;
-        if (p[i] >= 0.0 && p[i] <= maximum) break;
-      }
-      p[i] = std::clamp(p[i], 0.0, maximum);
     }
   }
   return pixels;
 }
 
 // Logarithms of noisy channels, one pixel a row.
-MatrixXd simulateLogChannels(const SkinModel& model, const SpectralNodes& nodes,
-                             const NoiseModel& noise, const std::vector<ParameterVector>& pixels) {
+MatrixXd simulateLogChannels(const StartScene& scene, const std::vector<ParameterVector>& pixels) {
   const auto count = static_cast<std::size_t>(kPixels);
-  const NodeModel nodeModel(model, nodes.samples);
+  const NodeModel nodeModel(scene.model, scene.nodes.samples);
   std::array<std::vector<double>, kParameterCount> columns;
   ParameterBatch<double> batch;
   batch.count = count;
@@ -62,14 +64,20 @@ MatrixXd simulateLogChannels(const SkinModel& model, const SpectralNodes& nodes,
     for (const ParameterVector& p : pixels) columns[k].push_back(p[static_cast<Index>(k)]);
     batch.values[k] = columns[k].data();
   }
-  MatrixXd reflectance(kPixels, static_cast<Index>(nodes.samples.size()));
+  MatrixXd reflectance(kPixels, static_cast<Index>(scene.nodes.samples.size()));
   reflectanceBatch<double>(nodeModel, batch, reflectance.data());
-  MatrixXd channels = reflectance * nodes.weights.transpose();
+  MatrixXd channels = reflectance * scene.nodes.weights.transpose();
+  if (scene.shadingDeviation > 0.0) {
+    Random shades(kSeed, 2);
+    for (Index i = 0; i < kPixels; ++i) {
+      channels.row(i) *= std::max(1.0 + scene.shadingDeviation * shades.normal(), kDarkestShade);
+    }
+  }
   Random random(kSeed, 1);
   for (Index k = 0; k < channels.cols(); ++k) {
     for (Index i = 0; i < kPixels; ++i) {
       const double y = channels(i, k);
-      const double deviation = std::hypot(noise.read, noise.proportional * y);
+      const double deviation = std::hypot(scene.noise.read, scene.noise.proportional * y);
       channels(i, k) = std::log(std::max(y + deviation * random.normal(), kSmallestChannel));
     }
   }
@@ -125,40 +133,57 @@ VectorXd componentsOf(const StartPolynomial& polynomial, const Eigen::RowVectorX
   return component;
 }
 
-double coordinateOf(const Prior& prior, const ParameterAxes& axes, int i, double value) {
-  if (!prior.isLog(i)) return value;
-  return std::log(std::max(value, 1e-7 * axes[static_cast<std::size_t>(i)].maximum));
-}
-
-}  // namespace
-
-StartPolynomial trainStartPolynomial(
-    const SkinModel& model, const SpectralNodes& nodes, const Prior& prior, const NoiseModel& noise,
-    const std::array<std::optional<double>, kParameterCount>& fixed) {
-  const ParameterAxes& axes = model.profile().axes;
-  const std::vector<ParameterVector> pixels = drawFromPrior(axes, prior, fixed);
-  const MatrixXd logChannels = simulateLogChannels(model, nodes, noise, pixels);
-  StartPolynomial polynomial = {};
-  fitProjection(logChannels, polynomial);
-
+// Coefficients by least squares. targets: coordinates, one pixel a row.
+void fitCoefficients(const MatrixXd& logChannels, const MatrixXd& targets,
+                     StartPolynomial& polynomial) {
   MatrixXd gram = MatrixXd::Zero(kStartTerms, kStartTerms);
   MatrixXd cross = MatrixXd::Zero(kStartTerms, kParameterCount);
-  for (Index i = 0; i < kPixels; ++i) {
+  for (Index i = 0; i < logChannels.rows(); ++i) {
     const VectorXd terms = startTerms(componentsOf(polynomial, logChannels.row(i)));
     gram.selfadjointView<Eigen::Lower>().rankUpdate(terms);
-    for (int k = 0; k < kParameterCount; ++k) {
-      const double x = coordinateOf(prior, axes, k, pixels[static_cast<std::size_t>(i)][k]);
-      cross.col(k) += x * terms;
-    }
+    cross += terms * targets.row(i);
   }
   // A little ridge: with three channels one component is empty and its terms are zero.
-  gram.diagonal().array() += 1e-6 * static_cast<double>(kPixels);
+  gram.diagonal().array() += 1e-6 * static_cast<double>(logChannels.rows());
   const MatrixXd solution = gram.selfadjointView<Eigen::Lower>().ldlt().solve(cross);
   for (int k = 0; k < kParameterCount; ++k) {
     for (Index t = 0; t < kStartTerms; ++t) {
       polynomial.coefficients[k][t] = static_cast<float>(solution(t, k));
     }
   }
+}
+
+MatrixXd coordinatesOf(const std::vector<ParameterVector>& pixels, const CoordinatePrior& prior) {
+  MatrixXd coordinates(static_cast<Index>(pixels.size()), kParameterCount);
+  for (Index i = 0; i < coordinates.rows(); ++i) {
+    for (int k = 0; k < kParameterCount; ++k) {
+      coordinates(i, k) = prior.coordinate(k, pixels[static_cast<std::size_t>(i)][k]);
+    }
+  }
+  return coordinates;
+}
+
+MatrixXd estimatesFrom(const StartPolynomial& start, const MatrixXd& logChannels,
+                       const StartTrial& solve) {
+  // Column by column, as Eigen stores them, is what the solver wants.
+  const Eigen::MatrixXf channels = logChannels.array().exp().matrix().cast<float>();
+  Eigen::MatrixXf coordinates(channels.rows(), kParameterCount);
+  solve(start, static_cast<std::size_t>(channels.rows()), channels.data(), coordinates.data());
+  return coordinates.cast<double>();
+}
+
+}  // namespace
+
+StartPolynomial trainStartPolynomial(const StartScene& scene, const StartTrial& solve) {
+  const ParameterAxes& axes = scene.model.profile().axes;
+  const std::vector<ParameterVector> pixels = drawFromPrior(axes, scene.prior, scene.fixed);
+  const MatrixXd logChannels = simulateLogChannels(scene, pixels);
+  StartPolynomial polynomial = {};
+  fitProjection(logChannels, polynomial);
+  fitCoefficients(logChannels,
+                  coordinatesOf(pixels, coordinatePrior(scene.prior, axes, scene.fixed)),
+                  polynomial);
+  fitCoefficients(logChannels, estimatesFrom(polynomial, logChannels, solve), polynomial);
   return polynomial;
 }
 

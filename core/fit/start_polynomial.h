@@ -3,10 +3,13 @@
 // Where the refined fit begins: a cubic polynomial in the leading principal components of a pixel's
 // log channels, least squares over simulated noisy pixels of the prior.
 //
-// Regression on noisy pixels estimates the posterior mean, so the start is already about as good as
-// the data allow and two Gauss–Newton steps finish it.
+// Its target is the estimate itself: pixels are solved from a first polynomial, which was made for
+// the true parameters, and a second one is made for what came out. So the start is about as good as
+// the data allow, and one or two Gauss–Newton steps finish it.
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "core/fit/refined_kernel.h"
@@ -17,9 +20,22 @@
 
 namespace cutis {
 
-// nodes: of the rig's channels. Fixed parameters are drawn at their value. Deterministic; about 30 ms.
-StartPolynomial trainStartPolynomial(const SkinModel& model, const SpectralNodes& nodes,
-                                     const Prior& prior, const NoiseModel& noise,
-                                     const std::array<std::optional<double>, kParameterCount>& fixed);
+// Solves `count` pixels from a start: channels [channel][count] in, coordinates [coordinate][count]
+// out.
+using StartTrial = std::function<void(const StartPolynomial& start, std::size_t count,
+                                      const float* channels, float* coordinates)>;
+
+// What pixels there may be.
+struct StartScene {
+  const SkinModel& model;
+  const SpectralNodes& nodes;  // of the rig's channels
+  const Prior& prior;
+  const NoiseModel& noise;
+  const std::array<std::optional<double>, kParameterCount>& fixed;  // drawn at their value
+  double shadingDeviation = 0.0;  // of a factor on all channels of a pixel; 0: there is none
+};
+
+// Deterministic on one instruction set; about 50 ms.
+StartPolynomial trainStartPolynomial(const StartScene& scene, const StartTrial& solve);
 
 }  // namespace cutis

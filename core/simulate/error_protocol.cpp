@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include <Eigen/Cholesky>
+
 #include "core/base/half.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
@@ -60,16 +62,21 @@ Prior priorOf(const ParameterBox& box) {
 
 std::vector<ParameterVector> drawFromPrior(const Prior& prior, const ParameterAxes& axes, int count,
                                            std::uint64_t seed) {
+  const ParameterMatrix factor = prior.correlation.llt().matrixL();
   Random random(seed, kPriorStream);
   std::vector<ParameterVector> people(static_cast<std::size_t>(count));
   for (ParameterVector& person : people) {
-    for (int k = 0; k < kParameterCount; ++k) {
-      double value = 0.0;
-      do {
-        const double away = prior.deviation[k] * random.normal();
-        value = prior.isLog(k) ? prior.mean[k] * std::exp(away) : prior.mean[k] + away;
-      } while (value < 0.0 || value > axes[static_cast<std::size_t>(k)].maximum);
-      person[k] = value;
+    bool inside = false;
+    while (!inside) {
+      ParameterVector normal;
+      for (double& value : normal) value = random.normal();
+      const ParameterVector away = (factor * normal.matrix()).array() * prior.deviation;
+      inside = true;
+      for (int k = 0; k < kParameterCount; ++k) {
+        person[k] = prior.isLog(k) ? prior.mean[k] * std::exp(away[k]) : prior.mean[k] + away[k];
+        inside = inside && person[k] >= 0.0 &&
+                 person[k] <= axes[static_cast<std::size_t>(k)].maximum;
+      }
     }
   }
   return people;

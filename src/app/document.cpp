@@ -133,7 +133,7 @@ void Document::take(Scene scene, const QString& name, std::vector<std::filesyste
 }
 
 void Document::startFit() {
-  fitting_ = jobs_.start(tr("Fit %1").arg(name_), [this, scene = *scene_](
+  fitting_ = jobs_.start(tr("Fit %1").arg(name_), [this, scene = *scene_, view = view_](
                                                       const JobRunner::Handle& job) {
     const auto fail = [&](const Error& error) {
       job.post([this, sentence = sentenceOf(error)] { Q_EMIT failed(sentence); });
@@ -151,6 +151,7 @@ void Document::startFit() {
         if (!mapsTimer_.isActive()) mapsTimer_.start();
       });
     };
+    observer.view = [view] { return view->get(); };
     const Status coarse = runCoarseFit(measurements, *solver.value(), scene.maps,
                                        job.context.child(0.1, 0.15, "first impression"),
                                        observer.finished);
@@ -167,6 +168,10 @@ void Document::startFit() {
       Q_EMIT fitted();
     });
   });
+}
+
+void Document::lookAt(const Rect& view) {
+  view_->set(view);
 }
 
 void Document::apply(const Command& command) {

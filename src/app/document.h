@@ -25,6 +25,7 @@
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
 #include "src/app/scene.h"
+#include "src/app/shared_rect.h"
 #include "src/app/undo_history.h"
 
 namespace cutis {
@@ -59,6 +60,9 @@ class Document : public QObject {
   // Precondition: isOpen().
   const Scene& scene() const { return *scene_; }
   const FitStatistics& statistics() const { return statistics_; }
+
+  // What somebody looks at: a fit that is under way does its tiles first.
+  void lookAt(const Rect& view);
 
   // Precondition for the rest: isOpen().
   void apply(const Command& command);
@@ -116,6 +120,7 @@ class Document : public QObject {
   std::vector<std::filesystem::path> sourceFiles_;
   bool fitted_ = false;
   FitStatistics statistics_;
+  std::shared_ptr<SharedRect> view_ = std::make_shared<SharedRect>();  // shared with the fit
   UndoHistory history_;
 };
 

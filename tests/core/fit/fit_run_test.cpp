@@ -5,7 +5,10 @@
 #include <limits>
 #include <mutex>
 
+#include <tbb/global_control.h>
+
 #include "core/fit/fit_run.h"
+#include "core/fit/tile_order.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/core/fit/picture_fixture.h"
 #include "tests/support/expect.h"
@@ -121,6 +124,30 @@ class FitRunTest : public QObject {
     }
   }
 
+  void tilesInViewComeFirst() {
+    const Measurements picture =
+        test::photograph(test::albedoRig(), 1100, 600, [](int x, int y) { return skin(x, y); });
+    const FitPlanes planes(picture, {}, nullptr);
+    std::vector<Rect> order;
+    FitObserver observer;
+    observer.finished = [&](const Rect& rect) { order.push_back(rect); };
+    observer.view = [] { return Rect{900, 500, 1000, 580}; };
+    const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_OK(runFit(picture, CountingSolver(), planes, {}, observer));
+    QCOMPARE(order.size(), static_cast<std::size_t>(planes.maps.state.tileCount()));
+    QVERIFY(order.front().contains(950, 540));
+    QVERIFY(order.back().contains(0, 0));
+  }
+
+  void everyTileIsHandedOutOnce() {
+    const std::vector<Rect> tiles = {{0, 0, 8, 8}, {8, 0, 16, 8}, {16, 0, 24, 8}, {24, 0, 32, 8}};
+    TileOrder order(tiles);
+    QCOMPARE(order.next({20, 0, 21, 8}), std::size_t{2});
+    QCOMPARE(order.next({14, 0, 18, 8}), std::size_t{1});
+    QCOMPARE(order.next({}), std::size_t{0});
+    QCOMPARE(order.next({0, 0, 1, 1}), std::size_t{3});
+  }
+
   // Whoever made the measurements may have overlooked something.
   void brokenPixelsAreFoundOut() {
     const float nan = std::numeric_limits<float>::quiet_NaN();
@@ -178,10 +205,12 @@ class FitRunTest : public QObject {
     std::mutex mutex;
     std::vector<Rect> finished;
     const FitPlanes planes(picture, {}, nullptr);
-    EXPECT_OK(runFit(picture, CountingSolver(), planes, {}, {[&](const Rect& rect) {
-                       const std::scoped_lock lock(mutex);
-                       finished.push_back(rect);
-                     }}));
+    FitObserver observer;
+    observer.finished = [&](const Rect& rect) {
+      const std::scoped_lock lock(mutex);
+      finished.push_back(rect);
+    };
+    EXPECT_OK(runFit(picture, CountingSolver(), planes, {}, observer));
     std::size_t pixels = 0;
     for (std::size_t i = 0; i < finished.size(); ++i) {
       pixels += finished[i].pixelCount();

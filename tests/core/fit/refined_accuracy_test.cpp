@@ -109,38 +109,6 @@ class RefinedAccuracyTest : public QObject {
     EXPECT_AT_MOST(costly, 0.01 * kPixels);
   }
 
-  void deviationsAreThePosteriors() {
-    for (const bool log : {true, false}) {
-      const Prior prior = log ? test::li2024().profile().prior : test::populationPrior();
-      const auto solver = solverOf(test::monitorRig(), optionsOf(prior));
-      QVERIFY(solver->hasDeviations());
-      const test::PixelSet pixels = test::simulate(
-          test::monitorRig(), drawPopulation(protocolPopulation(), 200, 9), 0.005);
-      test::Solutions solutions = test::solve(*solver, pixels);
-      std::vector<float> deviations(solutions.parameters.size(), -1.0f);
-      solver->deviations(
-          {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
-          deviations.data());
-      const test::Objective objective = {
-          test::li2024(), chooseModelNodes(test::li2024(), responseRows(test::monitorRig())),
-          prior, test::monitorRig().noise};
-      double worst = 0.0;
-      for (std::size_t i = 0; i < pixels.count; ++i) {
-        const ParameterVector at = solutions.at(i);
-        if ((at < 1e-6).any()) continue;  // no derivative there
-        const auto covariance = objective.covariance(pixels.at(i), at);
-        for (int k = 0; k < kParameterCount; ++k) {
-          const double unit = prior.isLog(k) ? at[k] : 1.0;
-          const double expected = std::sqrt(covariance(k, k)) * unit;
-          const double found = double{deviations[static_cast<std::size_t>(k) * pixels.count + i]};
-          worst = std::max(worst, std::abs(found / expected - 1.0));
-        }
-      }
-      qInfo("%s prior: deviations within %.2g", log ? "log" : "linear", worst);
-      EXPECT_AT_MOST(worst, 0.02);
-    }
-  }
-
   // No noise: the channels are met to what a float can hold.
   void exactSettingMeetsTheChannels() {
     const NoiseModel none = {0.0, 0.0};
