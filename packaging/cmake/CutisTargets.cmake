@@ -28,6 +28,21 @@ function(cutis_program name folder)
   cutis_report_links(${folder} "${ARG_USES}" "${ARG_EXTERNAL}")
 endfunction()
 
+# cutis_module(NAME FOLDER SOURCES ... [EXTERNAL TARGET...])
+#
+# A part of a program that is loaded when it is first needed, from the folder of the program
+# (moduleSymbol() of src/files/platform.h).
+function(cutis_module name folder)
+  cmake_parse_arguments(ARG "" "" "SOURCES;EXTERNAL" ${ARGN})
+  add_library(${name} MODULE ${ARG_SOURCES})
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${name} PRIVATE cutis_compiler ${ARG_EXTERNAL})
+  set_target_properties(${name} PROPERTIES
+    PREFIX ""
+    LIBRARY_OUTPUT_DIRECTORY "${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  cutis_report_links(${folder} "" "${ARG_EXTERNAL}")
+endfunction()
+
 function(cutis_target_name out folder)
   string(REPLACE "/" "_" name "cutis_${folder}")
   set(${out} ${name} PARENT_SCOPE)

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "core/base/instruction_set.h"
 #include "src/cli/bench_pictures.h"
@@ -16,6 +18,7 @@
 #include "src/files/profile_file.h"
 #include "src/files/rig_file.h"
 #include "src/files/spectral_library.h"
+#include "src/report/picture_file.h"
 
 namespace cutis {
 namespace {
@@ -50,9 +53,8 @@ Status checkOutputs(const BenchCommand& command) {
   CUTIS_CHECK(checkDistinct(command.plot, command.report));
   if (!command.report.empty()) CUTIS_CHECK(checkTextOutput(command.report, {command.profile}));
   if (command.plot.empty()) return {};
-  if (std::filesystem::path(command.plot).extension() != ".svg")
-    return usageError(command.plot, "the plot is written as SVG; name the file with .svg");
-  return checkTextOutput(command.plot, {command.profile});
+  CUTIS_CHECK(checkNotInput(command.plot, {command.profile}));
+  return checkDrawingOutput(command.plot);
 }
 
 // The protocol's people must be skin of the profile.
@@ -75,12 +77,59 @@ Result<std::shared_ptr<const ErrorMeter>> makeMeter(const SkinModel& model) {
   return std::make_shared<const ErrorMeter>(model, d65, a, observer.sensor);
 }
 
-Status printTables(const BenchFigures& figures) {
-  const std::string text = benchTables(figures);
+Status print(const std::string& text, const Session& session) {
+  session.clearProgress();
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
     return {};
   }
   return resourceError("standard output", "the tables could not be written");
+}
+
+// A part of the run, and what is printed once its figures are there.
+struct Part {
+  double until;  // share of the whole
+  const char* name;
+  std::function<Status(const JobContext&)> run;
+  std::string (*tables)(const BenchFigures&);
+};
+
+std::vector<Part> partsOf(const BenchSubject& subject, const PictureSeries& pictures,
+                          Session& session, BenchSolvers& solvers, BenchFigures& figures) {
+  const JobContext silent = {session.context.stop, {}, {}};
+  return {
+      {0.02, "bounds",
+       [&, silent](const JobContext&) { return runBounds(subject, silent, figures); }, boundTables},
+      {0.45, "errors",
+       [&](const JobContext& context) { return runMethods(subject, solvers, context, figures); },
+       methodTables},
+      {0.52, "errors on the sample",
+       [&](const JobContext& context) {
+         return runSample(subject, session, solvers, context, figures);
+       },
+       sampleTable},
+      {0.54, "coverage",
+       [&, silent](const JobContext&) { return runCoverage(subject, solvers, silent, figures); },
+       coverageTables},
+      {0.57, "lights",
+       [&, silent](const JobContext&) { return runLights(subject, session, silent, figures); },
+       lightTable},
+      {0.59, "parameters",
+       [&, silent](const JobContext&) { return runParameters(subject, solvers, silent, figures); },
+       parameterTable},
+      {0.61, "kinds of input",
+       [&, silent](const JobContext&) { return runEncodings(subject, solvers, silent, figures); },
+       encodingTable},
+      {0.94, "pictures by size",
+       [&, pictures](const JobContext& context) {
+         return runSizes(subject, pictures, session, solvers, context, figures);
+       },
+       sizeTable},
+      {1.0, "pictures by threads",
+       [&, pictures](const JobContext& context) {
+         return runScaling(subject, pictures, session, solvers, context, figures);
+       },
+       scalingTable},
+  };
 }
 
 Status runBenchCommand(const BenchCommand& command, Session& session) {
@@ -110,16 +159,19 @@ Status runBenchCommand(const BenchCommand& command, Session& session) {
   figures.subsample = subject.subsample;
   figures.quick = command.quick;
   BenchSolvers solvers(session, model, rig);
-  const JobContext& context = session.context;
-  CUTIS_CHECK(
-      runErrorProtocol(subject, session, solvers, context.child(0.0, 0.5, "errors"), figures));
-  CUTIS_CHECK(
-      runErrorStudies(subject, session, solvers, context.child(0.5, 0.6, "comparing"), figures));
-  CUTIS_CHECK(runPictures(subject, extent.pictures, session, solvers,
-                          context.child(0.6, 1.0, "whole pictures"), figures));
+  CUTIS_CHECK(print(benchHeader(figures), session));
+  double from = 0.0;
+  for (const Part& part : partsOf(subject, extent.pictures, session, solvers, figures)) {
+    const JobContext context = session.context.child(from, part.until, part.name);
+    context.progress.report(0.0);
+    CUTIS_CHECK(part.run(context));
+    CUTIS_CHECK(print(part.tables(figures), session));
+    from = part.until;
+  }
+  CUTIS_CHECK(print(goalTable(figures), session));
   if (!command.report.empty()) CUTIS_CHECK(writeBenchReport(command.report, figures));
-  if (!command.plot.empty()) CUTIS_CHECK(writeBenchPlot(command.plot, figures));
-  return printTables(figures);
+  if (!command.plot.empty()) CUTIS_CHECK(writeDrawing(command.plot, benchPlot(figures)));
+  return {};
 }
 
 }  // namespace
@@ -144,9 +196,11 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
   command.add_option("--report", options->report, "JSON file to write with all figures")
       ->type_name("FILE");
   command
-      .add_option("--plot", options->plot,
-                  "SVG picture to write of run time against error, with the paper's figures")
-      ->type_name("FILE.svg");
+      .add_option(
+          "--plot", options->plot,
+          "Picture to write of run time against error, with the paper's figures, and of time and "
+          "memory against pixels and threads: SVG or PNG, by the name's ending")
+      ->type_name("FILE.svg|FILE.png");
 }
 
 }  // namespace cutis

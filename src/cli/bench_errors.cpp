@@ -23,17 +23,6 @@ std::optional<double> printedBound(const Rig& rig, double noise) {
   return {};
 }
 
-Status runBounds(const BenchSubject& subject, const ProtocolPixels& pixels,
-                 const JobContext& context, BenchFigures& figures) {
-  const std::span<const double> noises = std::span(kBenchNoises).subspan(1);
-  const auto people = std::span(pixels.people()).first(std::min(pixels.count(), kMostBoundPeople));
-  CUTIS_TRY(bounds, errorBounds(*subject.model, subject.rig, people, priorOf(protocolPopulation()),
-                                noises, context));
-  for (std::size_t i = 0; i < noises.size(); ++i)
-    figures.bounds.push_back({noises[i], bounds[i], printedBound(subject.rig, noises[i])});
-  return {};
-}
-
 Result<MethodFigures> measureMethod(const BenchSubject& subject, const PixelSolver& solver,
                                     const ProtocolPixels& pixels, double noise,
                                     const JobContext& context) {
@@ -56,15 +45,17 @@ Result<MethodFigures> measureMethod(const BenchSubject& subject, const PixelSolv
   return figures;
 }
 
-// Every noise for every method; the exhaustive searches look at the first pixels only.
-Status runMethods(const BenchSubject& subject, const ProtocolPixels& all,
-                  const ProtocolPixels& part, std::span<const double> noises, BenchSolvers& solvers,
-                  const JobContext& context, std::vector<MethodFigures>& out) {
+// Every noise for every method; the exhaustive searches look at a part of the pixels only.
+Status measureMethods(const BenchSubject& subject, const ProtocolPixels& all,
+                      const ProtocolPixels& part, std::span<const double> noises,
+                      BenchSolvers& solvers, const JobContext& context,
+                      std::vector<MethodFigures>& out) {
   const auto steps = static_cast<double>(kBenchMethods.size() * noises.size());
   double step = 0.0;
   for (const BenchMethod method : kBenchMethods) {
     for (const double noise : noises) {
       context.progress.report(step++ / steps);
+      if (!isJudgedAt(method, noise)) continue;
       CUTIS_TRY(solver, solvers.solver(method, noise));
       CUTIS_TRY(figures,
                 measureMethod(subject, *solver, isExhaustive(method) ? part : all, noise, context));
@@ -125,29 +116,35 @@ std::vector<ParameterVector> firstOf(const std::vector<ParameterVector>& people,
 
 }  // namespace
 
-const MethodFigures* figuresOf(const std::vector<MethodFigures>& all, BenchMethod method,
-                               double noise) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const MethodFigures& figures) {
-    return figures.method == method && figures.noise == noise;
-  });
-  return found == all.end() ? nullptr : &*found;
-}
-
 std::vector<ParameterVector> benchPeople(std::size_t count) {
   return drawPopulation(protocolPopulation(), static_cast<int>(count), kPeopleSeed);
 }
 
-Status runErrorProtocol(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
-                        const JobContext& context, BenchFigures& figures) {
+Status runBounds(const BenchSubject& subject, const JobContext& context, BenchFigures& figures) {
+  const std::span<const double> noises = std::span(kBenchNoises).subspan(1);
+  const auto people = firstOf(benchPeople(subject.pixels), kMostBoundPeople);
+  CUTIS_TRY(bounds, errorBounds(*subject.model, subject.rig, people, priorOf(protocolPopulation()),
+                                noises, context));
+  for (std::size_t i = 0; i < noises.size(); ++i)
+    figures.bounds.push_back({noises[i], bounds[i], printedBound(subject.rig, noises[i])});
+  return {};
+}
+
+Status runMethods(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                  BenchFigures& figures) {
   const JobContext silent = {context.stop, {}, {}};
   const auto people = benchPeople(subject.pixels);
   CUTIS_TRY(all, ProtocolPixels::create(*subject.model, subject.rig, people, silent));
   CUTIS_TRY(part, ProtocolPixels::create(*subject.model, subject.rig,
                                          firstOf(people, subject.subsample), silent));
-  CUTIS_CHECK(runBounds(subject, all, silent, figures));
-  CUTIS_CHECK(runMethods(subject, all, part, kBenchNoises, solvers, context.child(0.0, 0.85),
-                         figures.methods));
+  CUTIS_CHECK(measureMethods(subject, all, part, kBenchNoises, solvers, context, figures.methods));
   relateToBound(figures);
+  return {};
+}
+
+Status runSample(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
+                 const JobContext& context, BenchFigures& figures) {
+  const JobContext silent = {context.stop, {}, {}};
   CUTIS_TRY(skin, samplePeople(subject, session, silent));
   CUTIS_TRY(sample, ProtocolPixels::create(*subject.model, subject.rig, skin, silent));
   // Not the first ones: these are the patch's upper edge.
@@ -155,9 +152,9 @@ Status runErrorProtocol(const BenchSubject& subject, Session& session, BenchSolv
   const std::size_t wanted = std::min(subject.subsample, skin.size());
   for (std::size_t i = 0; i < wanted; ++i)
     spread.push_back(skin[i * skin.size() / wanted]);
-  CUTIS_TRY(samplePart, ProtocolPixels::create(*subject.model, subject.rig, spread, silent));
-  return runMethods(subject, sample, samplePart, std::span(&kUsualNoise, 1), solvers,
-                    context.child(0.85, 1.0), figures.sample);
+  CUTIS_TRY(part, ProtocolPixels::create(*subject.model, subject.rig, spread, silent));
+  return measureMethods(subject, sample, part, std::span(&kUsualNoise, 1), solvers, context,
+                        figures.sample);
 }
 
 }  // namespace cutis

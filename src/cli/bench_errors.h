@@ -29,12 +29,25 @@ struct BenchSubject {
   double timingSeconds = 0.3;    // per method and noise
 };
 
-// bounds, methods, sample and speedRatio.
-Status runErrorProtocol(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
-                        const JobContext& context, BenchFigures& figures);
+// The parts of the protocol, each of which fills what it is named after.
 
-// coverage, lights, parameters and encodings.
-Status runErrorStudies(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
-                       const JobContext& context, BenchFigures& figures);
+Status runBounds(const BenchSubject& subject, const JobContext& context, BenchFigures& figures);
+// And speedRatio. Relates to the bounds that are there.
+Status runMethods(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                  BenchFigures& figures);
+// At kUsualNoise.
+Status runSample(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
+                 const JobContext& context, BenchFigures& figures);
+
+Status runCoverage(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                   BenchFigures& figures);
+// White light alone against all lights: the paper's Fig. 12. Nothing for a rig without.
+Status runLights(const BenchSubject& subject, Session& session, const JobContext& context,
+                 BenchFigures& figures);
+// β-carotene held at 0 against all five parameters: the paper's Fig. 13.
+Status runParameters(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                     BenchFigures& figures);
+Status runEncodings(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                    BenchFigures& figures);
 
 }  // namespace cutis

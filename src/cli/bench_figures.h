@@ -43,6 +43,9 @@ struct CoverageFigures {
   Coverage coverage;
 };
 
+// All parameters together.
+Coverage::Count pooled(const std::array<Coverage::Count, kParameterCount>& counts);
+
 // One of a handful of things compared with all else equal.
 struct VariantFigures {
   std::string variant;
@@ -56,6 +59,7 @@ struct PictureFigures {
   std::string content;  // "uncorrelated", "sample"
   BenchMethod method = BenchMethod::refinedWide;
   int size = 0;  // pixels a side
+  double noise = 0.0;
   int threads = 0;
   double seconds = 0.0;
   bool scaled = false;  // from nanoseconds a pixel, not run
@@ -63,7 +67,15 @@ struct PictureFigures {
   std::size_t solved = 0;
   std::size_t duplicate = 0;
   double meanIterations = 0.0;
-  std::size_t peakMemoryBytes = 0;  // of the process so far, the simulated photographs included
+  // Most that the fit held besides what was there before, which is mostly the photographs; none
+  // where the system does not tell.
+  std::optional<std::size_t> memoryBytes;
+};
+
+// The coarse maps that are shown before a fit is complete.
+struct FirstPictureFigures {
+  int size = 0;  // pixels a side
+  double seconds = 0.0;
 };
 
 struct BenchFigures {
@@ -86,12 +98,30 @@ struct BenchFigures {
   std::vector<VariantFigures> encodings;
   std::vector<PictureFigures> sizes;
   std::vector<PictureFigures> scaling;  // by threads
-  std::optional<double> speedRatio;     // exhaustive three-stage search over refined
+  std::optional<FirstPictureFigures> firstPicture;
+  std::optional<double> speedRatio;  // exhaustive three-stage search over refined
 };
+
+// Whether a method is judged at a noise: the exact setting believes every digit and is for pixels
+// without noise alone.
+inline bool isJudgedAt(BenchMethod method, double noise) {
+  return method != BenchMethod::refinedExact || noise == 0.0;
+}
 
 // The figures of a method at a noise; none if it was not run.
 const MethodFigures* figuresOf(const std::vector<MethodFigures>& all, BenchMethod method,
                                double noise);
+
+// Pixels a side of the pictures that the paper and our own goals speak of.
+inline constexpr int kUsualSize = 2048;
+
+// The picture of uncorrelated pixels to tell a method's speed by: the largest up to kUsualSize that
+// was run, else one that was scaled; none if there is none.
+const PictureFigures* largestPicture(const BenchFigures& figures, BenchMethod method);
+// How many times as many pixels kUsualSize has.
+double usualScaling(int size);
+// Seconds for a picture of kUsualSize, scaled where a smaller one was run.
+std::optional<double> usualSeconds(const BenchFigures& figures, BenchMethod method);
 
 // What the paper published (§7.1, Table 1 and text), of pictures of 2048² pixels on a Titan X. No
 // noise. Errors: mean over its four groups of people.

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <utility>
 
 #include <tbb/global_control.h>
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/fit/coarse_fit.h"
 #include "core/fit/fit_run.h"
 #include "core/simulate/photograph.h"
 #include "core/simulate/skin_patch.h"
@@ -51,96 +54,120 @@ Result<ChromophoreMaps> uncorrelatedMaps(int size, const JobContext& context) {
   return maps;
 }
 
-Result<Measurements> pictureOf(const BenchSubject& subject, bool sample, int size,
+// What is in a picture, and how it was taken.
+struct Content {
+  const char* name;
+  bool sample;
+  double noise;
+};
+constexpr Content kNoisy = {"uncorrelated", false, kUsualNoise};
+constexpr Content kNoiseFree = {"uncorrelated", false, 0.0};
+constexpr Content kSample = {"sample", true, kUsualNoise};
+
+Result<Measurements> pictureOf(const BenchSubject& subject, const Content& content, int size,
                                Session& session) {
   const JobContext silent = {session.context.stop, {}, {}};
-  if (sample) {
+  if (content.sample) {
     CUTIS_TRY(skin, simulateSkin(SkinRecipe(), size, size, kSeed, subject.model->profile().axes,
                                  session.store, silent));
-    return photograph(skin, *subject.model, subject.rig, kUsualNoise, kSeed, silent);
+    return photograph(skin, *subject.model, subject.rig, content.noise, kSeed, silent);
   }
   CUTIS_TRY(maps, uncorrelatedMaps(size, silent));
-  return photograph(maps, *subject.model, subject.rig, kUsualNoise, kSeed, silent);
+  return photograph(maps, *subject.model, subject.rig, content.noise, kSeed, silent);
+}
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 // Fits the picture, as often as asked; the fastest run counts.
 Result<PictureFigures> fitPicture(const Measurements& picture, const PixelSolver& solver,
                                   int repeats, Session& session) {
-  using Clock = std::chrono::steady_clock;
   const JobContext silent = {session.context.stop, {}, {}};
   PictureFigures figures;
   figures.size = picture.width();
+  const auto held = restartPeakMemory();
   for (int run = 0; run < repeats; ++run) {
     const auto start = Clock::now();
     const FitPlanes planes(picture, {}, session.store);
     CUTIS_TRY(statistics, runFit(picture, solver, planes, silent));
     CUTIS_TRY(gamut, measureGamut(picture, planes.maps, solver, {}, silent));
     static_cast<void>(gamut);
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = secondsSince(start);
     figures.seconds = run == 0 ? seconds : std::min(figures.seconds, seconds);
     figures.solved = statistics.pixels.solved;
     figures.duplicate = statistics.pixels.duplicate;
     figures.meanIterations = statistics.meanIterations;
+    if (run == 0 && held) figures.memoryBytes = std::max(peakMemoryBytes(), *held) - *held;
   }
   figures.threads = allowedThreads();
-  figures.peakMemoryBytes = peakMemoryBytes();
   return figures;
 }
 
-PictureFigures scaledPicture(const BenchFigures& figures, BenchMethod method, int size) {
+Result<FirstPictureFigures> firstPicture(const Measurements& picture, const PixelSolver& solver,
+                                         Session& session) {
+  FirstPictureFigures figures;
+  figures.size = picture.width();
+  for (int run = 0; run < kRepeats; ++run) {
+    const auto start = Clock::now();
+    const FitPlanes planes(picture, {}, session.store);
+    CUTIS_CHECK(runCoarseFit(picture, solver, planes.maps, {session.context.stop, {}, {}}));
+    const double seconds = secondsSince(start);
+    figures.seconds = run == 0 ? seconds : std::min(figures.seconds, seconds);
+  }
+  return figures;
+}
+
+PictureFigures scaledPicture(const BenchFigures& figures, BenchMethod method, double noise,
+                             int size) {
   PictureFigures picture;
   picture.size = size;
   picture.threads = figures.threads;
   picture.scaled = true;
-  if (const auto* known = figuresOf(figures.methods, method, kUsualNoise))
+  if (const auto* known = figuresOf(figures.methods, method, noise))
     picture.seconds = 1e-9 * known->nanosecondsPerPixel * size * size;
   return picture;
 }
 
-Status runSizes(const BenchSubject& subject, const PictureSeries& series, Session& session,
-                BenchSolvers& solvers, const JobContext& context, BenchFigures& figures) {
-  for (const int size : series.sizes) {
-    context.progress.report(0.5 * size / series.sizes.back());
-    for (const bool sample : {false, true}) {
-      CUTIS_TRY(picture, pictureOf(subject, sample, size, session));
-      for (const BenchMethod method : kBenchMethods) {
-        // Every pixel of the sample is another one too: what is slow is not run on it.
-        if (sample && !isRefined(method)) continue;
-        const bool fast =
-            method == BenchMethod::refinedWide || method == BenchMethod::refinedPopulation;
-        const bool search = method == BenchMethod::threeStage || method == BenchMethod::fullSearch;
-        const bool run = fast || (search && size <= series.largestSearch);
-        if (sample && !run) continue;
-        CUTIS_TRY(solver, solvers.solver(method, kUsualNoise));
-        PictureFigures row = scaledPicture(figures, method, size);
-        if (run) {
-          CUTIS_TRY(fitted, fitPicture(picture, *solver, fast ? kRepeats : 1, session));
-          row = fitted;
-        }
-        row.content = sample ? "sample" : "uncorrelated";
-        row.method = method;
-        figures.sizes.push_back(row);
-      }
-    }
-  }
-  return {};
+bool isFast(BenchMethod method) {
+  return method == BenchMethod::refinedWide || method == BenchMethod::refinedPopulation;
 }
 
-Status runScaling(const BenchSubject& subject, const PictureSeries& series, Session& session,
-                  BenchSolvers& solvers, const JobContext& context, BenchFigures& figures) {
-  CUTIS_TRY(picture, pictureOf(subject, false, series.scalingSize, session));
-  CUTIS_TRY(solver, solvers.solver(BenchMethod::refinedWide, kUsualNoise));
-  const int most = allowedThreads();
-  for (int threads = 1;; threads = std::min(2 * threads, most)) {
-    context.progress.report(static_cast<double>(threads) / most);
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
-    CUTIS_TRY(fitted, fitPicture(picture, *solver, kRepeats, session));
-    fitted.content = "uncorrelated";
-    fitted.method = BenchMethod::refinedWide;
-    figures.scaling.push_back(fitted);
-    if (threads == most) return {};
+// Every pixel of the sample is another one too: what is slow is not run on it.
+bool isRunOn(const Content& content, BenchMethod method) {
+  if (content.noise == 0.0) return method == BenchMethod::refinedExact;
+  return isFast(method) || (!content.sample && method != BenchMethod::refinedExact);
+}
+
+Status runContent(const BenchSubject& subject, const Content& content, int size,
+                  const PictureSeries& series, Session& session, BenchSolvers& solvers,
+                  BenchFigures& figures) {
+  std::optional<Measurements> picture;
+  for (const BenchMethod method : kBenchMethods) {
+    if (!isRunOn(content, method)) continue;
+    PictureFigures row = scaledPicture(figures, method, content.noise, size);
+    if (isFast(method) || (!isExhaustive(method) && size <= series.largestSlow)) {
+      if (!picture) {
+        CUTIS_TRY(made, pictureOf(subject, content, size, session));
+        picture = std::move(made);
+      }
+      CUTIS_TRY(solver, solvers.solver(method, content.noise));
+      CUTIS_TRY(fitted, fitPicture(*picture, *solver, isFast(method) ? kRepeats : 1, session));
+      row = fitted;
+      // Sizes increase: the last one stays.
+      if (method == BenchMethod::refinedWide && !content.sample && size <= kUsualSize) {
+        CUTIS_TRY(first, firstPicture(*picture, *solver, session));
+        figures.firstPicture = first;
+      }
+    }
+    row.content = content.name;
+    row.noise = content.noise;
+    row.method = method;
+    figures.sizes.push_back(row);
   }
+  return {};
 }
 
 }  // namespace
@@ -151,11 +178,37 @@ int allowedThreads() {
   return std::min(parallelThreadCount(), static_cast<int>(allowed));
 }
 
-Status runPictures(const BenchSubject& subject, const PictureSeries& series, Session& session,
-                   BenchSolvers& solvers, const JobContext& context, BenchFigures& figures) {
-  // Sizes first: memory only ever grows.
-  CUTIS_CHECK(runSizes(subject, series, session, solvers, context.child(0.0, 0.8), figures));
-  return runScaling(subject, series, session, solvers, context.child(0.8, 1.0), figures);
+Status runSizes(const BenchSubject& subject, const PictureSeries& series, Session& session,
+                BenchSolvers& solvers, const JobContext& context, BenchFigures& figures) {
+  double done = 0.0, all = 0.0;
+  for (const int size : series.sizes)
+    all += 1.0 * size * size;
+  for (const int size : series.sizes) {
+    for (const Content& content : {kNoisy, kNoiseFree, kSample}) {
+      context.progress.report(done / all);
+      CUTIS_CHECK(runContent(subject, content, size, series, session, solvers, figures));
+      done += 1.0 * size * size / 3.0;
+    }
+  }
+  return {};
+}
+
+Status runScaling(const BenchSubject& subject, const PictureSeries& series, Session& session,
+                  BenchSolvers& solvers, const JobContext& context, BenchFigures& figures) {
+  CUTIS_TRY(picture, pictureOf(subject, kNoisy, series.scalingSize, session));
+  CUTIS_TRY(solver, solvers.solver(BenchMethod::refinedWide, kUsualNoise));
+  const int most = allowedThreads();
+  for (int threads = 1;; threads = std::min(2 * threads, most)) {
+    context.progress.report(static_cast<double>(threads) / most);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
+    CUTIS_TRY(fitted, fitPicture(picture, *solver, kRepeats, session));
+    fitted.content = kNoisy.name;
+    fitted.noise = kNoisy.noise;
+    fitted.method = BenchMethod::refinedWide;
+    figures.scaling.push_back(fitted);
+    if (threads == most) return {};
+  }
 }
 
 }  // namespace cutis

@@ -2,212 +2,211 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "src/cli/bench_errors.h"
+#include "src/cli/bench_panels.h"
+#include "src/cli/bench_style.h"
 #include "src/cli/text_table.h"
-#include "src/files/atomic_write.h"
+#include "src/files/csv.h"
+#include "src/report/label_placement.h"
+#include "src/report/scale.h"
 
 namespace cutis {
 namespace {
 
-constexpr double kWidth = 860.0;
-constexpr double kHeight = 520.0;
-constexpr double kPixels = 2048.0 * 2048.0;
+using namespace bench_style;
 
-// Part of the picture that is plotted in, and what its edges are worth (logarithms to base 10).
-constexpr double kLeft = 78.0, kRight = 640.0, kTop = 52.0, kBottom = 452.0;
-constexpr int kTimeFrom = -1, kTimeTo = 5;      // seconds
-constexpr int kErrorFrom = -10, kErrorTo = -3;  // mean squared
+constexpr double kWidth = 920.0, kHeight = 800.0;
+constexpr Box kPlot = {78.0, 104.0, 896.0, 436.0};
+constexpr Box kPanels = {24.0, 504.0, 896.0, 738.0};
+constexpr double kDisc = 5.5;
+constexpr double kSquare = 5.0;  // half of its side
+constexpr double kRoom = 1.6;    // factor between the outermost points and the edges, at least
 
-double across(double seconds) {
-  const double at = (std::log10(seconds) - kTimeFrom) / (kTimeTo - kTimeFrom);
-  return kLeft + std::clamp(at, 0.0, 1.0) * (kRight - kLeft);
-}
+struct PlotPoint {
+  std::string label;
+  double seconds;
+  double error;
+  bool published;
+  bool noisy;
+  const char* color;
+};
 
-double down(double error) {
-  const double at = (std::log10(std::max(error, 1e-30)) - kErrorFrom) / (kErrorTo - kErrorFrom);
-  return kBottom - std::clamp(at, 0.0, 1.0) * (kBottom - kTop);
-}
-
-std::string number(double value) {
-  return fixedNumber(value, 1);
-}
-
-std::string line(double x1, double y1, double x2, double y2, const char* kind) {
-  return "<line class=\"" + std::string(kind) + "\" x1=\"" + number(x1) + "\" y1=\"" + number(y1) +
-         "\" x2=\"" + number(x2) + "\" y2=\"" + number(y2) + "\"/>\n";
-}
-
-std::string words(double x, double y, const char* anchor, const std::string& text,
-                  const char* kind = "label") {
-  return "<text class=\"" + std::string(kind) + "\" x=\"" + number(x) + "\" y=\"" + number(y) +
-         "\" text-anchor=\"" + anchor + "\">" + text + "</text>\n";
-}
-
-std::string disc(double x, double y, const char* kind) {
-  return "<circle class=\"" + std::string(kind) + "\" cx=\"" + number(x) + "\" cy=\"" + number(y) +
-         "\" r=\"5\"/>\n";
-}
-
-std::string square(double x, double y) {
-  return "<rect class=\"paper\" x=\"" + number(x - 4.5) + "\" y=\"" + number(y - 4.5) +
-         "\" width=\"9\" height=\"9\"/>\n";
-}
-
-std::string powerOfTen(int exponent) {
-  return "10<tspan dy=\"-5\" font-size=\"9\">" +
-         (exponent < 0 ? "−" + std::to_string(-exponent) : std::to_string(exponent)) + "</tspan>";
-}
-
-std::string timeName(int exponent) {
-  constexpr std::array<const char*, 7> names = {"0.1 s",  "1 s",   "10 s", "100 s",
-                                                "17 min", "2.8 h", "28 h"};
-  return names[static_cast<std::size_t>(exponent - kTimeFrom)];
-}
-
-std::string axes() {
-  std::string text;
-  for (int t = kTimeFrom; t <= kTimeTo; ++t) {
-    const double x = across(std::pow(10.0, t));
-    text += line(x, kTop, x, kBottom, "grid") + words(x, kBottom + 18.0, "middle", timeName(t));
+std::vector<PlotPoint> pointsOf(const BenchFigures& figures) {
+  std::vector<PlotPoint> points;
+  for (const BenchMethod method : kBenchMethods) {
+    const bool noisy = isRefined(method) && method != BenchMethod::refinedExact;
+    const auto* row = figuresOf(figures.methods, method, noisy ? kUsualNoise : 0.0);
+    const auto seconds = usualSeconds(figures, method);
+    if (row == nullptr || !seconds) continue;
+    points.push_back({methodLabel(method) + std::string(isExhaustive(method) ? " (scaled)" : ""),
+                      *seconds, row->errors.visibleMse, false, noisy,
+                      isRefined(method) ? kRefined : kSearch});
   }
-  for (int e = kErrorFrom; e <= kErrorTo; ++e) {
-    const double y = down(std::pow(10.0, e));
-    text += line(kLeft, y, kRight, y, "grid") + words(kLeft - 8.0, y + 5.0, "end", powerOfTen(e));
+  for (const PublishedFigures& row : kPublished) {
+    points.push_back({"paper: " + std::string(row.method), row.secondsFor2048, row.visibleMse, true,
+                      false, kPaper});
   }
-  text += words(0.5 * (kLeft + kRight), kBottom + 42.0, "middle",
-                "time for 2048 × 2048 pixels that have nothing in common");
-  text += "<text class=\"label\" text-anchor=\"middle\" transform=\"translate(22 " +
-          number(0.5 * (kTop + kBottom)) +
-          ") rotate(-90)\">mean squared error of reflectance, 400–700 nm</text>\n";
-  return text;
+  return points;
 }
 
-std::string boundLine(const BenchFigures& figures) {
+std::optional<double> boundOf(const BenchFigures& figures) {
   for (const BoundFigures& row : figures.bounds) {
-    if (row.noise != kUsualNoise) continue;
-    const double y = down(row.bound.visible);
-    return line(kLeft, y, kRight, y, "bound") +
-           words(kRight + 10.0, y + 4.0, "start", "the best possible, 0.5 % noise");
+    if (row.noise == kUsualNoise) return row.bound.visible;
   }
   return {};
 }
 
-// Labels that stand side by side on the right, moved apart so that none covers another.
-class Labels {
- public:
-  void add(double x, double y, std::string text) { all_.push_back({x, y, y, std::move(text)}); }
-
-  std::string text() {
-    std::sort(all_.begin(), all_.end(), [](const Label& a, const Label& b) { return a.y < b.y; });
-    std::string text;
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-      Label& label = all_[i];
-      const auto overlaps = [&](const Label& other) {
-        return std::abs(other.x - label.x) < kWide && label.place - other.place < kApart;
-      };
-      for (std::size_t j = 0; j < i; ++j) {
-        if (overlaps(all_[j])) label.place = all_[j].place + kApart;
-      }
-      const bool left = label.x + kWide > kWidth;
-      text += words(label.x + (left ? -10.0 : 10.0), label.place + 4.0, left ? "end" : "start",
-                    label.text);
-    }
-    return text;
-  }
-
- private:
-  static constexpr double kWide = 140.0;
-  static constexpr double kApart = 15.0;
-  struct Label {
-    double x, y, place;
-    std::string text;
-  };
-  std::vector<Label> all_;
-};
-
-std::string points(const BenchFigures& figures) {
-  std::string text;
-  Labels labels;
-  for (const BenchMethod method : kBenchMethods) {
-    const auto* clean = figuresOf(figures.methods, method, 0.0);
-    const auto* noisy = figuresOf(figures.methods, method, kUsualNoise);
-    if (clean == nullptr || noisy == nullptr) continue;
-    const auto place = [](const MethodFigures& row) {
-      return std::pair(across(1e-9 * row.nanosecondsPerPixel * kPixels),
-                       down(row.errors.visibleMse));
-    };
-    const auto [x, y] = place(*clean);
-    text += disc(x, y, "clean");
-    // The exact setting is for pixels without noise: it has one point.
-    if (method == BenchMethod::refinedExact) {
-      labels.add(x, y, methodLabel(method));
-      continue;
-    }
-    const auto [noisyX, noisyY] = place(*noisy);
-    labels.add(std::max(x, noisyX), y, methodLabel(method));
-    text += line(x, y, noisyX, noisyY, "pair") + disc(noisyX, noisyY, "noisy");
-  }
-  for (const PublishedFigures& row : kPublished) {
-    const double x = across(row.secondsFor2048), y = down(row.visibleMse);
-    text += square(x, y);
-    text += words(x, y - 10.0, "middle", "paper: " + std::string(row.method));
-  }
-  return text + labels.text();
+// Whole decades with some room around the points.
+Scale decades(const std::vector<PlotPoint>& points, double PlotPoint::*value, double begin,
+              double end) {
+  const auto [least, most] = std::minmax_element(
+      points.begin(), points.end(),
+      [&](const PlotPoint& a, const PlotPoint& b) { return a.*value < b.*value; });
+  return {std::pow(10.0, std::floor(std::log10((*least).*value / kRoom))),
+          std::pow(10.0, std::ceil(std::log10((*most).*value * kRoom))), begin, end, true};
 }
 
-std::string key() {
-  std::string text;
-  const double y = 30.0;
-  text += disc(kLeft + 6.0, y - 4.0, "clean") + words(kLeft + 18.0, y, "start", "no noise");
-  text += disc(kLeft + 106.0, y - 4.0, "noisy") + words(kLeft + 118.0, y, "start", "0.5 % noise");
-  text += square(kLeft + 226.0, y - 4.0) +
-          words(kLeft + 238.0, y, "start", "published by the paper (Titan X, no noise)");
+int decadeOf(double value) {
+  return static_cast<int>(std::lround(std::log10(value)));
+}
+
+void drawAxes(Drawing& drawing, const Scale& x, const Scale& y) {
+  for (int t = decadeOf(x.from); t <= decadeOf(x.to); ++t) {
+    const double at = x.at(std::pow(10.0, t));
+    drawing.line({at, kPlot.top}, {at, kPlot.bottom}, kGrid);
+    if (t < -1 || t > 3) {
+      drawing.powerOfTen({at, kPlot.bottom + 18.0}, t, kTick, Anchor::middle);
+    } else {
+      drawing.text({at, kPlot.bottom + 18.0}, formatNumber(std::pow(10.0, t), 6), kTick,
+                   Anchor::middle);
+    }
+  }
+  for (int e = decadeOf(y.from); e <= decadeOf(y.to); ++e) {
+    const double at = y.at(std::pow(10.0, e));
+    drawing.line({kPlot.left, at}, {kPlot.right, at}, kGrid);
+    drawing.powerOfTen({kPlot.left - 8.0, at + 4.0}, e, kTick, Anchor::end);
+  }
+  // What people count long times in.
+  const std::vector<std::pair<double, const char*>> units = {
+      {60.0, "1 min"}, {3600.0, "1 h"}, {86400.0, "1 day"}};
+  for (const auto& [seconds, name] : units) {
+    if (seconds <= x.from || seconds >= x.to) continue;
+    drawing.line({x.at(seconds), kPlot.top}, {x.at(seconds), kPlot.top + 6.0}, kFrame);
+    drawing.text({x.at(seconds), kPlot.top - 6.0}, name, kTick, Anchor::middle);
+  }
+  drawing.rectangle(kPlot, "none", kFrame);
+  drawing.text({0.5 * (kPlot.left + kPlot.right), kPlot.bottom + 40.0},
+               "time for 2048² uncorrelated pixels, s", kLabel, Anchor::middle);
+  drawing.textUpwards({24.0, 0.5 * (kPlot.top + kPlot.bottom)},
+                      "mean squared error of reflectance, 400–700 nm", kLabel);
+}
+
+void drawMarker(Drawing& drawing, Point at, bool published, bool open, const char* color) {
+  const char* fill = open ? kGround : color;
+  // A rim of ground keeps markers apart that lie on each other.
+  drawing.disc(at, kDisc + 2.4, kGround, kNoStroke);
+  if (published) {
+    drawing.rectangle({at.x - kSquare, at.y - kSquare, at.x + kSquare, at.y + kSquare}, fill,
+                      {color, 1.8, ""});
+  } else {
+    drawing.disc(at, kDisc, fill, {color, 1.8, ""});
+  }
+}
+
+// What no label may lie on: the line of the bound and its name.
+std::vector<Box> drawBound(Drawing& drawing, const BenchFigures& figures, const Scale& y) {
+  const auto bound = boundOf(figures);
+  if (!bound) return {};
+  const double at = y.at(*bound);
+  drawing.line({kPlot.left, at}, {kPlot.right, at}, {kBound, 1.6, "7 4"});
+  TextStyle style = kLabel;
+  style.color = kBound;
+  const std::string words = "Bayesian Cramér–Rao bound at 0.5 % noise";
+  drawing.text({kPlot.right - 10.0, at - 7.0}, words, style, Anchor::end);
+  const double left = kPlot.right - 12.0 - textWidth(words, style.size);
+  return {{kPlot.left, at - 2.0, kPlot.right, at + 2.0}, {left, at - 20.0, kPlot.right, at}};
+}
+
+void drawPoints(Drawing& drawing, const std::vector<PlotPoint>& points, const Scale& x,
+                const Scale& y, const std::vector<Box>& taken) {
+  std::vector<LabelledPoint> places;
+  for (const PlotPoint& point : points)
+    places.push_back({{x.at(point.seconds), y.at(point.error)}, kDisc + 1.0, point.label});
+  const Box area = {kPlot.left + 4.0, kPlot.top + 8.0, kPlot.right - 4.0, kPlot.bottom - 4.0};
+  const auto labels = placeLabels(places, taken, area, kLabel.size);
+  for (const PlacedLabel& label : labels) {
+    if (label.hasLeader) drawing.line(label.leaderFrom, label.leaderTo, kFrame);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    drawMarker(drawing, places[i].at, points[i].published, points[i].noisy, points[i].color);
+    TextStyle style = kLabel;
+    style.color = points[i].color;
+    drawing.text(labels[i].at, points[i].label, style, labels[i].anchor);
+  }
+}
+
+void drawKey(Drawing& drawing) {
+  double x = kPlot.left + 6.0;
+  const double y = 74.0;
+  const auto entry = [&](bool published, bool open, const char* color, const char* words) {
+    drawMarker(drawing, {x, y - 4.0}, published, open, color);
+    drawing.text({x + 12.0, y}, words, kLabel, Anchor::start);
+    x += 12.0 + textWidth(words, kLabel.size) + 26.0;
+  };
+  entry(false, true, kRefined, "refined fit, 0.5 % noise");
+  entry(false, false, kRefined, "refined fit, no noise");
+  entry(false, false, kSearch, "table search, no noise");
+  entry(true, false, kPaper, "published by the paper, no noise");
+}
+
+std::string described(const std::vector<PlotPoint>& points) {
+  std::string text = "Time for 2048 by 2048 pixels and mean squared error, 400 to 700 nm.";
+  for (const PlotPoint& point : points) {
+    text += " " + point.label + ": " + formatNumber(point.seconds, 3) + " s, " +
+            shortScientific(point.error) + (point.noisy ? " at 0.5 % noise." : ".");
+  }
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<')
-      safe += "&lt;";
-    else if (c == '&')
-      safe += "&amp;";
-    else
-      safe += c;
-  }
-  return safe;
+void drawNotes(Drawing& drawing, const BenchFigures& figures) {
+  const std::string processor = figures.processor.empty() ? "unknown processor" : figures.processor;
+  const std::string machine = "Measured on " + processor + ", " + figures.instructionSet + ", " +
+                              std::to_string(figures.threads) +
+                              (figures.threads == 1 ? " thread" : " threads") +
+                              "; the paper's times on a Titan X. Profile " + figures.profile +
+                              ", rig " + figures.rig + ", cutis " + figures.version + ".";
+  const std::string scaled = "Exhaustive searches are scaled from " +
+                             std::to_string(figures.subsample) +
+                             " pixels. Memory is what the fit holds besides the photographs.";
+  const double room = kPanels.right - kPanels.left;
+  drawing.text({kPanels.left, kHeight - 32.0}, shortened(machine, kNote.size, room), kNote,
+               Anchor::start);
+  drawing.text({kPanels.left, kHeight - 16.0}, scaled, kNote, Anchor::start);
 }
-
-// Greys and hues of middling lightness, on no ground of their own.
-constexpr char kStyle[] =
-    "<style>\n"
-    "text { font-family: sans-serif; font-size: 12px; fill: #808080; }\n"
-    ".grid { stroke: #808080; stroke-opacity: 0.25; }\n"
-    ".bound { stroke: #2f9e6e; stroke-width: 1.5; stroke-dasharray: 6 4; }\n"
-    ".pair { stroke: #d9722b; stroke-opacity: 0.6; }\n"
-    ".clean { fill: #d9722b; stroke: #d9722b; stroke-width: 1.5; }\n"
-    ".noisy { fill: none; stroke: #d9722b; stroke-width: 1.5; }\n"
-    ".paper { fill: #4c86d6; stroke: #4c86d6; }\n"
-    "</style>\n";
 
 }  // namespace
 
-std::string benchPlot(const BenchFigures& figures) {
-  const std::string machine =
-      figures.processor + ", " + figures.instructionSet + ", " + std::to_string(figures.threads) +
-      " threads, profile " + figures.profile + ", rig " + figures.rig +
-      "; exhaustive searches scaled from " + std::to_string(figures.subsample) + " pixels";
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(kWidth) + "\" height=\"" +
-         number(kHeight) + "\" viewBox=\"0 0 " + number(kWidth) + " " + number(kHeight) + "\">\n" +
-         "<title>Run time against error</title>\n" + kStyle + axes() + boundLine(figures) +
-         points(figures) + key() + words(kLeft, kHeight - 8.0, "start", escaped(machine)) +
-         "</svg>\n";
-}
-
-Status writeBenchPlot(const std::filesystem::path& path, const BenchFigures& figures) {
-  return writeTextAtomically(path, benchPlot(figures));
+Drawing benchPlot(const BenchFigures& figures) {
+  const auto points = pointsOf(figures);
+  Drawing drawing(kWidth, kHeight, "Run time against error", described(points));
+  drawing.rectangle({0.5, 0.5, kWidth - 0.5, kHeight - 0.5}, kGround, {kGridColor, 1.0, ""}, 6.0);
+  drawing.text({kPanels.left, 32.0}, "Run time against error", kHeading, Anchor::start);
+  drawing.text({kPanels.left, 51.0},
+               "Fits of simulated photographs under three lights; the lower left corner is best",
+               kTick, Anchor::start);
+  drawKey(drawing);
+  const Scale x = decades(points, &PlotPoint::seconds, kPlot.left, kPlot.right);
+  const Scale y = decades(points, &PlotPoint::error, kPlot.bottom, kPlot.top);
+  drawAxes(drawing, x, y);
+  const auto taken = drawBound(drawing, figures, y);
+  drawPoints(drawing, points, x, y, taken);
+  drawPicturePanels(drawing, kPanels, figures);
+  drawNotes(drawing, figures);
+  return drawing;
 }
 
 }  // namespace cutis

@@ -1,18 +1,13 @@
 #pragma once
 
-#include <filesystem>
-#include <string>
-
-#include "core/base/result.h"
 #include "src/cli/bench_figures.h"
+#include "src/report/drawing.h"
 
 namespace cutis {
 
-// Run time against error, both logarithmic, as an SVG that reads on white and on dark ground: every
-// method without and with noise, what the paper published, and the bound.
-std::string benchPlot(const BenchFigures& figures);
-
-// Errors: the file cannot be written.
-Status writeBenchPlot(const std::filesystem::path& path, const BenchFigures& figures);
+// Run time of a picture of 2048² pixels against error, both logarithmic: our methods, what the
+// paper published, and the bound. Refined fits that are told the noise at 0.5 %, all else without
+// noise. Below, time and memory of the refined fit against pixels and threads.
+Drawing benchPlot(const BenchFigures& figures);
 
 }  // namespace cutis

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "src/cli/bench_goals.h"
 #include "src/files/atomic_write.h"
 
 namespace cutis {
@@ -74,11 +75,18 @@ Json coverageOf(const std::vector<CoverageFigures>& coverage) {
     }
     return object;
   };
+  // Null where there is nothing to have a share of.
+  const auto shareOf = [](const auto& all) -> Json {
+    const Coverage::Count count = pooled(all);
+    return count.pixels == 0 ? Json() : Json(count.share());
+  };
   for (const CoverageFigures& row : coverage) {
     array.push_back({{"prior", row.prior},
                      {"noise", row.noise},
                      {"measured", counts(row.coverage.measured)},
-                     {"elsewhere", counts(row.coverage.assumed)}});
+                     {"elsewhere", counts(row.coverage.assumed)},
+                     {"measured_share", shareOf(row.coverage.measured)},
+                     {"elsewhere_share", shareOf(row.coverage.assumed)}});
   }
   return array;
 }
@@ -98,13 +106,14 @@ Json picturesOf(const std::vector<PictureFigures>& pictures) {
   Json array = Json::array();
   for (const PictureFigures& row : pictures) {
     Json object = {{"content", row.content}, {"method", methodKey(row.method)},
-                   {"size", row.size},       {"threads", row.threads},
-                   {"seconds", row.seconds}, {"scaled", row.scaled}};
+                   {"size", row.size},       {"noise", row.noise},
+                   {"threads", row.threads}, {"seconds", row.seconds},
+                   {"scaled", row.scaled}};
     if (!row.scaled) {
       object["solved"] = row.solved;
       object["duplicate"] = row.duplicate;
       object["mean_iterations"] = row.meanIterations;
-      object["peak_memory_bytes"] = row.peakMemoryBytes;
+      if (row.memoryBytes) object["fit_memory_bytes"] = *row.memoryBytes;
     }
     array.push_back(object);
   }
@@ -117,6 +126,20 @@ Json publishedFigures() {
     array.push_back({{"method", row.method},
                      {"seconds_2048", row.secondsFor2048},
                      {"visible_mse", row.visibleMse}});
+  }
+  return array;
+}
+
+Json goalsIn(const BenchFigures& figures) {
+  Json array = Json::array();
+  for (const Goal& goal : goalsOf(figures)) {
+    Json object = {{"goal", goal.key}, {"what", goal.what}};
+    if (goal.least) object["least"] = *goal.least;
+    if (goal.most) object["most"] = *goal.most;
+    object["reached"] = goal.reached;
+    object["met"] = goal.isMet();
+    object["presumes_avx512"] = goal.presumesAvx512;
+    array.push_back(object);
   }
   return array;
 }
@@ -139,6 +162,11 @@ Status writeBenchReport(const std::filesystem::path& path, const BenchFigures& f
   root["sizes"] = picturesOf(figures.sizes);
   root["scaling"] = picturesOf(figures.scaling);
   root["published"] = publishedFigures();
+  if (figures.firstPicture) {
+    root["first_picture"] = {{"size", figures.firstPicture->size},
+                             {"seconds", figures.firstPicture->seconds}};
+  }
+  root["goals"] = goalsIn(figures);
   if (figures.speedRatio) root["speed_ratio"] = *figures.speedRatio;
   return writeTextAtomically(
       path, root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -32,6 +32,8 @@ Result<VariantFigures> measureVariant(const Scene& scene, const PixelSolver& sol
   return figures;
 }
 
+}  // namespace
+
 Status runCoverage(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
                    BenchFigures& figures) {
   for (const BenchMethod method : {BenchMethod::refinedWide, BenchMethod::refinedPopulation}) {
@@ -53,7 +55,6 @@ Status runCoverage(const BenchSubject& subject, BenchSolvers& solvers, const Job
   return {};
 }
 
-// White light alone against all lights: the paper's Fig. 12.
 Status runLights(const BenchSubject& subject, Session& session, const JobContext& context,
                  BenchFigures& figures) {
   if (subject.rig.lightIndex(kWhite) < 0) return {};
@@ -79,8 +80,11 @@ Status runLights(const BenchSubject& subject, Session& session, const JobContext
   return {};
 }
 
-// β-carotene held at 0 against all five parameters: the paper's Fig. 13.
-Status runParameters(const Scene& scene, BenchSolvers& solvers, BenchFigures& figures) {
+Status runParameters(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                     BenchFigures& figures) {
+  CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, subject.rig, benchPeople(subject.pixels),
+                                           context));
+  const Scene scene = {subject, pixels, context};
   for (const BenchMethod method : {BenchMethod::refinedWide, BenchMethod::refinedPopulation}) {
     for (const bool fixed : {false, true}) {
       CUTIS_TRY(solver, solvers.solver(method, kUsualNoise, fixed));
@@ -93,7 +97,8 @@ Status runParameters(const Scene& scene, BenchSolvers& solvers, BenchFigures& fi
   return {};
 }
 
-Status runEncodings(const Scene& scene, BenchSolvers& solvers, BenchFigures& figures) {
+Status runEncodings(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                    BenchFigures& figures) {
   struct Kind {
     const char* name;
     SampleEncoding encoding;
@@ -102,6 +107,9 @@ Status runEncodings(const Scene& scene, BenchSolvers& solvers, BenchFigures& fig
                                           {"16-bit, linear", SampleEncoding::linear16},
                                           {"half", SampleEncoding::half},
                                           {"float", SampleEncoding::float32}}};
+  CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, subject.rig, benchPeople(subject.pixels),
+                                           context));
+  const Scene scene = {subject, pixels, context};
   for (const double noise : {0.0, kUsualNoise}) {
     CUTIS_TRY(solver, solvers.solver(BenchMethod::refinedPopulation, noise));
     for (const Kind& kind : kinds) {
@@ -110,23 +118,6 @@ Status runEncodings(const Scene& scene, BenchSolvers& solvers, BenchFigures& fig
     }
   }
   return {};
-}
-
-}  // namespace
-
-Status runErrorStudies(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
-                       const JobContext& context, BenchFigures& figures) {
-  const JobContext silent = {context.stop, {}, {}};
-  CUTIS_CHECK(runCoverage(subject, solvers, silent, figures));
-  context.progress.report(0.3);
-  CUTIS_CHECK(runLights(subject, session, silent, figures));
-  context.progress.report(0.6);
-  CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, subject.rig, benchPeople(subject.pixels),
-                                           silent));
-  const Scene scene = {subject, pixels, silent};
-  CUTIS_CHECK(runParameters(scene, solvers, figures));
-  context.progress.report(0.8);
-  return runEncodings(scene, solvers, figures);
 }
 
 }  // namespace cutis

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "src/cli/bench_errors.h"
+#include "src/cli/bench_goals.h"
 #include "src/cli/console.h"
 #include "src/cli/text_table.h"
 #include "src/files/csv.h"
@@ -31,20 +32,6 @@ std::string heading(const std::string& text) {
   return "\n" + text + "\n";
 }
 
-std::string header(const BenchFigures& figures) {
-  std::string text = "cutis-cli " + figures.version + " bench";
-  if (figures.quick) text += " --quick";
-  text += ": " + (figures.processor.empty() ? "unknown processor" : figures.processor) + ", " +
-          figures.instructionSet + ", " + std::to_string(figures.threads) + " threads\n";
-  text += "profile " + figures.profile + ", rig " + figures.rig + ", " +
-          std::to_string(figures.pixels) + " pixels of the error protocol; those marked * " +
-          std::to_string(figures.subsample) + ", their times a pixel scaled from these\n";
-  text +=
-      "MSE: mean squared error of reflectance; vis 400-700 nm, UV 300-400 nm, NIR 700-1000 nm.\n"
-      "dE: CIEDE2000, median/95 %. A refined fit is told the noise, at 0 it assumes the rig's.\n";
-  return text;
-}
-
 std::string errorTable(const std::vector<MethodFigures>& methods) {
   TextTable table({"method", "noise", "vis MSE", "/bound", "UV MSE", "NIR MSE", "dE D65", "dE A",
                    "ns/pixel", "steps"});
@@ -63,7 +50,7 @@ std::string errorTable(const std::vector<MethodFigures>& methods) {
   return table.text();
 }
 
-std::string boundTable(const BenchFigures& figures) {
+std::string boundRows(const BenchFigures& figures) {
   TextTable table({"noise", "vis", "as designed", "UV", "NIR"});
   for (const BoundFigures& row : figures.bounds) {
     table.add({percent(row.noise), shortScientific(row.bound.visible),
@@ -83,7 +70,7 @@ std::string publishedTable() {
   return table.text();
 }
 
-std::string parameterTable(const BenchFigures& figures) {
+std::string parameterErrors(const BenchFigures& figures) {
   std::vector<std::string> head = {"method"};
   for (const Parameter parameter : kParameters)
     head.emplace_back(parameterSymbol(parameter));
@@ -120,18 +107,22 @@ std::string toneTable(const BenchFigures& figures) {
   return table.text();
 }
 
-std::string coverageTable(const BenchFigures& figures) {
+std::string coverageRows(const BenchFigures& figures) {
   std::vector<std::string> head = {"prior, where"};
   for (const Parameter parameter : kParameters)
     head.emplace_back(parameterSymbol(parameter));
+  head.emplace_back("all");
   TextTable table(head);
+  const auto cell = [](const Coverage::Count& count) {
+    return count.pixels == 0
+               ? "-"
+               : fixedNumber(100.0 * count.share(), 1) + " % of " + std::to_string(count.pixels);
+  };
   const auto row = [&](const std::string& name, const auto& counts) {
     std::vector<std::string> cells = {name};
-    for (const Coverage::Count& count : counts) {
-      cells.push_back(count.pixels == 0 ? "-"
-                                        : fixedNumber(100.0 * count.share(), 1) + " % of " +
-                                              std::to_string(count.pixels));
-    }
+    for (const Coverage::Count& count : counts)
+      cells.push_back(cell(count));
+    cells.push_back(cell(pooled(counts)));
     table.add(cells);
   };
   for (const CoverageFigures& figure : figures.coverage) {
@@ -154,57 +145,116 @@ std::string variantTable(const std::vector<VariantFigures>& variants, const std:
 }
 
 std::string pictureTable(const std::vector<PictureFigures>& pictures) {
-  TextTable table({"picture", "method", "threads", "seconds", "ns/pixel", "solved", "equal",
-                   "steps", "memory so far"},
+  TextTable table({"picture", "method", "noise", "threads", "seconds", "ns/pixel", "solved",
+                   "equal", "steps", "fit memory"},
                   2);
   for (const PictureFigures& row : pictures) {
     const double pixels = static_cast<double>(row.size) * row.size;
     table.add({std::to_string(row.size) + "² " + row.content, methodLabel(row.method),
-               std::to_string(row.threads),
+               percent(row.noise), std::to_string(row.threads),
                (row.scaled ? "~" : "") + fixedNumber(row.seconds, row.seconds < 100.0 ? 3 : 0),
                rounded(1e9 * row.seconds / pixels), row.scaled ? "" : std::to_string(row.solved),
                row.scaled ? "" : std::to_string(row.duplicate),
                row.scaled || !isRefined(row.method) ? "" : fixedNumber(row.meanIterations, 1),
-               row.scaled ? "" : std::to_string(row.peakMemoryBytes >> 20) + " MB"});
+               row.memoryBytes ? rounded(static_cast<double>(*row.memoryBytes) / 0x1p20) + " MB"
+                               : (row.scaled ? "" : "-")});
   }
   return table.text();
 }
 
+std::string usual() {
+  return "at " + percent(kUsualNoise) + " noise";
+}
+
 }  // namespace
 
-std::string benchTables(const BenchFigures& figures) {
-  const std::string usual = "at " + percent(kUsualNoise) + " noise";
-  std::string text = header(figures);
+std::string benchHeader(const BenchFigures& figures) {
+  std::string text = "cutis-cli " + figures.version + " bench";
+  if (figures.quick) text += " --quick";
+  text += ": " + (figures.processor.empty() ? "unknown processor" : figures.processor) + ", " +
+          figures.instructionSet + ", " + std::to_string(figures.threads) + " threads\n";
+  text += "profile " + figures.profile + ", rig " + figures.rig + ", " +
+          std::to_string(figures.pixels) + " pixels of the error protocol; those marked * " +
+          std::to_string(figures.subsample) + ", their times a pixel scaled from these\n";
   text +=
+      "MSE: mean squared error of reflectance; vis 400-700 nm, UV 300-400 nm, NIR 700-1000 nm.\n"
+      "dE: CIEDE2000, median/95 %. A refined fit is told the noise, at 0 it assumes the rig's; "
+      "the\n"
+      "exact setting believes every digit and is judged without noise alone.\n";
+  return text;
+}
+
+std::string boundTables(const BenchFigures& figures) {
+  return heading("What the paper published") + publishedTable() +
+         heading("Bayesian Cramér-Rao bound of the MSE") + boundRows(figures);
+}
+
+std::string methodTables(const BenchFigures& figures) {
+  std::string text =
       heading("Errors, pixels drawn from the protocol's population") + errorTable(figures.methods);
   if (figures.speedRatio) {
-    text += "  three stages, exhaustive, over refined, wide prior, " + usual + ": " +
+    text += "  three stages, exhaustive, over refined, wide prior, " + usual() + ": " +
             formatNumber(*figures.speedRatio, 3) + " times the time\n";
   }
-  text += heading("What the paper published") + publishedTable();
-  text += heading("Bayesian Cramér-Rao bound of the MSE") + boundTable(figures);
-  text += heading("Errors, pixels of the sample") + errorTable(figures.sample);
-  text += heading("Root mean square errors of parameters, " + usual) + parameterTable(figures);
-  text +=
-      heading("Vis MSE and median dE D65 by skin tone (ITA° over 41, 10, -30, below), " + usual) +
-      toneTable(figures);
-  text += heading("Truth within two posterior deviations, " + usual +
-                  ", people drawn from the prior; measured: where the deviation is below half the "
-                  "prior's") +
-          coverageTable(figures);
-  if (!figures.lights.empty()) {
-    text += heading("White light alone against all lights (paper: Fig. 12, pictures only)") +
-            variantTable(figures.lights, "lights");
+  text += heading("Root mean square errors of parameters, " + usual()) + parameterErrors(figures);
+  return text +
+         heading("Vis MSE and median dE D65 by skin tone (ITA° over 41, 10, -30, below), " +
+                 usual()) +
+         toneTable(figures);
+}
+
+std::string sampleTable(const BenchFigures& figures) {
+  return heading("Errors, pixels of the sample") + errorTable(figures.sample);
+}
+
+std::string coverageTables(const BenchFigures& figures) {
+  return heading("Truth within two posterior deviations, " + usual() +
+                 ", people drawn from the prior; measured: where the deviation is below half the "
+                 "prior's") +
+         coverageRows(figures);
+}
+
+std::string lightTable(const BenchFigures& figures) {
+  if (figures.lights.empty()) return {};
+  return heading("White light alone against all lights (paper: Fig. 12, pictures only)") +
+         variantTable(figures.lights, "lights");
+}
+
+std::string parameterTable(const BenchFigures& figures) {
+  return heading(
+             "Carotene held at 0 against five parameters (paper: Fig. 13, RMSE 0.0311 of a "
+             "photograph with four, 0.0164 with five)") +
+         variantTable(figures.parameters, "parameters");
+}
+
+std::string encodingTable(const BenchFigures& figures) {
+  return heading("Kinds of input, refined fit with the population's prior") +
+         variantTable(figures.encodings, "input");
+}
+
+std::string sizeTable(const BenchFigures& figures) {
+  return heading(
+             "Whole pictures by size; ~ scaled from the time a pixel above; fit memory: the most "
+             "that the fit held besides the photographs") +
+         pictureTable(figures.sizes);
+}
+
+std::string scalingTable(const BenchFigures& figures) {
+  return heading("Whole pictures by threads") + pictureTable(figures.scaling);
+}
+
+std::string goalTable(const BenchFigures& figures) {
+  const bool otherSet = figures.instructionSet != "avx512";
+  TextTable table({"what", "asked", "reached", "met"});
+  for (const Goal& goal : goalsOf(figures)) {
+    const char* mark = otherSet && goal.presumesAvx512 ? " †" : "";
+    table.add({goal.what, askedText(goal) + mark, reachedText(goal), goal.isMet() ? "yes" : "no"});
   }
-  text += heading(
-              "Carotene held at 0 against five parameters (paper: Fig. 13, RMSE 0.0311 of a "
-              "photograph with four, 0.0164 with five)") +
-          variantTable(figures.parameters, "parameters");
-  text += heading("Kinds of input, refined fit with the population's prior") +
-          variantTable(figures.encodings, "input");
-  text += heading("Whole pictures by threads, " + usual) + pictureTable(figures.scaling);
-  text += heading("Whole pictures by size, " + usual + "; ~ scaled from the time a pixel above") +
-          pictureTable(figures.sizes);
+  std::string text = heading("What was to be reached") + table.text();
+  if (otherSet) {
+    text += "  † asked of two cores with AVX-512; here " + figures.instructionSet + " and " +
+            std::to_string(figures.threads) + (figures.threads == 1 ? " thread\n" : " threads\n");
+  }
   return text;
 }
 

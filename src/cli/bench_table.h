@@ -1,12 +1,28 @@
 #pragma once
 
+// The figures as tables for a terminal, one function for each part of a run, so that every table
+// can be shown as soon as its figures are there. Each begins with an empty line but the first.
+
 #include <string>
 
 #include "src/cli/bench_figures.h"
 
 namespace cutis {
 
-// The figures as tables for a terminal.
-std::string benchTables(const BenchFigures& figures);
+// The machine, and how to read what follows.
+std::string benchHeader(const BenchFigures& figures);
+// The bound, and what the paper published.
+std::string boundTables(const BenchFigures& figures);
+// Errors of the methods; of their parameters; by skin tone.
+std::string methodTables(const BenchFigures& figures);
+std::string sampleTable(const BenchFigures& figures);
+std::string coverageTables(const BenchFigures& figures);
+// Empty for a rig whose lights cannot be compared.
+std::string lightTable(const BenchFigures& figures);
+std::string parameterTable(const BenchFigures& figures);
+std::string encodingTable(const BenchFigures& figures);
+std::string sizeTable(const BenchFigures& figures);
+std::string scalingTable(const BenchFigures& figures);
+std::string goalTable(const BenchFigures& figures);
 
 }  // namespace cutis

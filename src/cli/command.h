@@ -23,6 +23,8 @@ struct Session {
   std::shared_ptr<TileStore> store;
   JobContext context;
   bool quiet = false;
+  // Takes the line of progress off the terminal, before something is printed there.
+  std::function<void()> clearProgress;
 };
 
 struct Invocation {
@@ -50,6 +52,7 @@ void addRenderCommand(CLI::App& app, Invocation& invocation);
 void addApplyCommand(CLI::App& app, Invocation& invocation);
 void addSpectrumCommand(CLI::App& app, Invocation& invocation);
 void addSimulateCommand(CLI::App& app, Invocation& invocation);
+void addValidateCommand(CLI::App& app, Invocation& invocation);
 void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addInfoCommand(CLI::App& app, Invocation& invocation);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "core/fit/shading.h"
 #include "src/files/csv.h"
 #include "src/files/profile_file.h"
 #include "src/files/suggestion.h"
@@ -34,7 +35,8 @@ Status checkMethodOptions(const FitArguments& arguments, FitMethod method) {
   if (method == FitMethod::refined) return {};
   for (const auto& [option, given] : {std::pair{"--prior", !arguments.prior.empty()},
                                       {"--fix", !arguments.fixed.empty()},
-                                      {"--noise", !arguments.noise.empty()}}) {
+                                      {"--noise", !arguments.noise.empty()},
+                                      {"--shading", arguments.shading}}) {
     if (given) return usageError(option, "only the method refined takes this; leave it out");
   }
   return {};
@@ -92,6 +94,9 @@ void addFitArguments(CLI::App& command, FitArguments& arguments) {
                   "carotene=0; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  command.add_flag("--shading", arguments.shading,
+                   "Estimate one more factor per pixel on all channels, for photographs that are "
+                   "not pure albedo; fit writes it beside the maps");
 }
 
 std::string firstGiven(const FitArguments& arguments) {
@@ -104,7 +109,8 @@ std::string firstGiven(const FitArguments& arguments) {
                                      {"--prior", arguments.prior}}) {
     if (!text.empty()) return option;
   }
-  return arguments.fixed.empty() ? "" : "--fix";
+  if (!arguments.fixed.empty()) return "--fix";
+  return arguments.shading ? "--shading" : "";
 }
 
 Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
@@ -122,6 +128,7 @@ Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
     request.options.noise = NoiseModel{noise[0], noise[1]};
   }
   request.priorFile = arguments.prior;
+  if (arguments.shading) request.options.shading = kUsualShadingDeviation;
   for (const std::string& text : arguments.fixed) {
     CUTIS_TRY(fixed, assignment("--fix", text));
     request.fixed.push_back(fixed);

@@ -26,6 +26,7 @@ struct FitArguments {
   std::string noise;
   std::string prior;
   std::vector<std::string> fixed;
+  bool shading = false;
 };
 
 void addFitArguments(CLI::App& command, FitArguments& arguments);

@@ -87,6 +87,7 @@ Result<MapsFile> mapsFileOf(const FittedSource& fitted, const FitRequest& reques
   file.maps = fitted.planes.maps;
   file.deviations = fitted.planes.deviations;
   file.residuals = fitted.planes.residuals;
+  file.shading = fitted.planes.shading;
   const Rig& rig = fitted.source.measurements.rig;
   for (std::size_t k = 0; k < file.residuals.size(); ++k) {
     file.residualNames.push_back(rig.channelName(static_cast<int>(k)));

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace cutis {
@@ -17,8 +18,16 @@ unsigned long processId();
 // Empty if the system names none.
 std::filesystem::path cacheFolder();
 
-// Largest memory this process ever held; 0 if the system does not tell.
+// Largest memory this process ever held, or since restartPeakMemory(); 0 if the system does not
+// tell.
 std::size_t peakMemoryBytes();
+// Gives memory that was freed back to the system and begins the peak anew at what is held now, which
+// is returned; nothing if the system cannot.
+std::optional<std::size_t> restartPeakMemory();
+
+// A function of a loadable part of the program, which lies in the folder of the program; null if it
+// is not there. The part stays loaded.
+void* moduleSymbol(const std::string& module, const char* symbol);
 
 // Model name of the processor; may be empty.
 std::string processorName();

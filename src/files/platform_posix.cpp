@@ -1,3 +1,4 @@
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <signal.h>
@@ -10,7 +11,23 @@
 
 #include "src/files/platform.h"
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace cutis {
+namespace {
+
+// A line of /proc/self/status; 0 where there is none.
+std::size_t statusBytes(const std::string& name) {
+  std::ifstream file("/proc/self/status");
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(name)) return std::strtoull(line.c_str() + name.size(), nullptr, 10) << 10;
+  }
+  return 0;
+}
+
+}  // namespace
 
 bool flushToDisk(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -36,10 +53,35 @@ std::filesystem::path cacheFolder() {
   return {};
 }
 
+std::optional<std::size_t> restartPeakMemory() {
+#if defined(__linux__) && defined(__GLIBC__)
+  // Freed memory that is kept for later would be there already when it is needed.
+  ::malloc_trim(0);
+  // proc(5): 5 sets the peak to what is resident.
+  std::ofstream restart("/proc/self/clear_refs");
+  restart << '5' << std::flush;
+  const std::size_t held = statusBytes("VmRSS:");
+  if (restart && held > 0) return held;
+#endif
+  return {};
+}
+
 std::size_t peakMemoryBytes() {
+  // Not of a parent before this program began, as getrusage() may tell.
+  if (const std::size_t peak = statusBytes("VmHWM:"); peak > 0) return peak;
   rusage usage = {};
   if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+void* moduleSymbol(const std::string& module, const char* symbol) {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) return nullptr;
+  const auto file = program.parent_path() / (module + ".so");
+  // Never closed: what it started, such as threads of a library, may outlive the call.
+  void* opened = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  return opened == nullptr ? nullptr : ::dlsym(opened, symbol);
 }
 
 std::string processorName() {

@@ -76,6 +76,7 @@ std::string libraryObjection(const std::string& folder, const std::string& heade
   if (isCore(folder)) return "core includes no Qt";
   const std::string module = qtModuleOf(header);
   if (folder == "src/app" && module != "QtCore") return "src/app includes QtCore only";
+  if (folder == "src/cli") return "src/cli includes no Qt";
   if (module == "QtWidgets" && folder != "ui" && folder != "src/cutis") {
     return "only ui includes Qt Widgets";
   }
@@ -89,6 +90,8 @@ std::string linkObjection(const std::string& folder, const std::string& library)
   if (!library.starts_with("Qt6::")) return {};
   if (isCore(folder)) return "core links no Qt";
   if (folder == "src/app" && library != "Qt6::Core") return "src/app links QtCore only";
+  // Every start of the program would pay for it.
+  if (folder == "src/cli") return "src/cli links no Qt";
   if (library == "Qt6::Widgets" && folder != "ui" && folder != "src/cutis") {
     return "only ui links Qt Widgets";
   }

@@ -1,5 +1,9 @@
 // bench: a small run has all its figures; wrong outputs are told before any work.
 
+#include <algorithm>
+#include <fstream>
+
+#include <QXmlStreamReader>
 #include <nlohmann/json.hpp>
 
 #include "tests/src/cli/program_run.h"
@@ -11,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMethods = 7;
 constexpr std::size_t kNoises = 5;
+// The exact setting is judged without noise alone.
+constexpr std::size_t kRows = (kMethods - 1) * kNoises + 1;
 
 class BenchTest : public QObject {
   Q_OBJECT
@@ -24,13 +30,14 @@ class BenchTest : public QObject {
 
   void theReportHasAllFigures() {
     for (const char* key :
-         {"version",    "processor", "isa",    "threads", "profile",   "rig",        "pixels",
-          "subsample",  "quick",     "bounds", "methods", "sample",    "coverage",   "lights",
-          "parameters", "encodings", "sizes",  "scaling", "published", "speed_ratio"}) {
+         {"version",   "processor",   "isa",        "threads",      "profile", "rig",
+          "pixels",    "subsample",   "quick",      "bounds",       "methods", "sample",
+          "coverage",  "lights",      "parameters", "encodings",    "sizes",   "scaling",
+          "published", "speed_ratio", "goals",      "first_picture"}) {
       QVERIFY2(report_.contains(key), key);
     }
-    QCOMPARE(report_["methods"].size(), kMethods * kNoises);
-    QCOMPARE(report_["sample"].size(), kMethods);
+    QCOMPARE(report_["methods"].size(), kRows);
+    QCOMPARE(report_["sample"].size(), kMethods - 1);
     QCOMPARE(report_["bounds"].size(), kNoises - 1);
     QCOMPARE(report_["pixels"].get<int>(), 200);
     for (const auto& row : report_["methods"]) {
@@ -42,6 +49,93 @@ class BenchTest : public QObject {
       QCOMPARE(row["tones"].size(), std::size_t{4});
       QCOMPARE(row.contains("over_bound"), row["noise"].get<double>() > 0.0);
     }
+  }
+
+  void theExactSettingIsJudgedWithoutNoise() {
+    for (const char* part : {"methods", "sample", "sizes"}) {
+      for (const auto& row : report_[part]) {
+        if (row["method"] == "refined_exact") QCOMPARE(row["noise"].get<double>(), 0.0);
+      }
+    }
+  }
+
+  void memoryIsThatOfTheFit() {
+    std::vector<double> bytes;
+    for (const auto& row : report_["sizes"]) {
+      if (row["method"] != "refined_wide" || row["content"] != "uncorrelated") continue;
+      QVERIFY(row.contains("fit_memory_bytes"));
+      bytes.push_back(row["fit_memory_bytes"]);
+      const double pixels = row["size"].get<double>() * row["size"].get<double>();
+      // Five maps and a state in float at least; the photographs, nine channels, are not in it.
+      QVERIFY2(bytes.back() > 0.8 * 24.0 * pixels, std::to_string(bytes.back() / pixels).c_str());
+      QVERIFY2(bytes.back() < 80.0 * pixels + 4e7, std::to_string(bytes.back() / pixels).c_str());
+    }
+    QCOMPARE(bytes.size(), std::size_t{2});
+    QVERIFY(bytes[1] > bytes[0]);
+  }
+
+  void theGoalsAreJudged() {
+    std::vector<std::string> keys;
+    for (const auto& goal : report_["goals"]) {
+      keys.push_back(goal["goal"]);
+      const double reached = goal["reached"];
+      const bool met = (!goal.contains("least") || reached >= goal["least"].get<double>()) &&
+                       (!goal.contains("most") || reached <= goal["most"].get<double>());
+      QCOMPARE(goal["met"].get<bool>(), met);
+      QVERIFY(outcome_.output.find(goal["what"].get<std::string>()) != std::string::npos);
+    }
+    for (const char* key :
+         {"refined_seconds", "first_picture_seconds", "over_bound_population", "over_bound_wide",
+          "exact_visible_mse", "exact_seconds", "coverage_measured_wide", "coverage_elsewhere_wide",
+          "coverage_measured_population", "coverage_elsewhere_population", "speed_ratio",
+          "three_stage_microseconds", "full_search_microseconds"}) {
+      QVERIFY2(std::find(keys.begin(), keys.end(), key) != keys.end(), key);
+    }
+    // Only smaller pictures were run.
+    QVERIFY(outcome_.output.find("scaled from 1024²") != std::string::npos);
+  }
+
+  void coverageIsPooled() {
+    for (const auto& row : report_["coverage"]) {
+      double pixels = 0.0, inside = 0.0;
+      for (const auto& count : row["elsewhere"]) {
+        pixels += count["pixels"].get<double>();
+        inside += count["inside"].get<double>();
+      }
+      QVERIFY(pixels > 0.0);
+      QCOMPARE(row["elsewhere_share"].get<double>(), inside / pixels);
+    }
+  }
+
+  void tablesAppearInTheirOrder() {
+    std::size_t from = 0;
+    for (const char* heading :
+         {"cutis-cli " CUTIS_VERSION " bench --quick", "What the paper published", "Bayesian",
+          "drawn from the protocol's population", "errors of parameters", "by skin tone",
+          "pixels of the sample", "two posterior deviations", "White light alone",
+          "Carotene held at 0", "Kinds of input", "pictures by size", "pictures by threads",
+          "What was to be reached"}) {
+      const auto found = outcome_.output.find(heading, from);
+      QVERIFY2(found != std::string::npos, heading);
+      from = found;
+    }
+  }
+
+  // Without waiting for the end.
+  void firstTablesAppearAtOnce() {
+    const auto process = run_.start("bench --quick");
+    QVERIFY(process->waitForStarted());
+    QByteArray printed;
+    while (!printed.contains("Bayesian") && process->waitForReadyRead(60000))
+      printed += process->readAllStandardOutput();
+    QVERIFY(printed.contains("Bayesian"));
+    QCOMPARE(process->state(), QProcess::Running);
+    // What draws is loaded by who asks for a plot alone: it would cost every start of the program.
+    std::ifstream maps("/proc/" + std::to_string(process->processId()) + "/maps");
+    for (std::string line; std::getline(maps, line);)
+      QVERIFY2(line.find("Qt6Gui") == std::string::npos, line.c_str());
+    process->kill();
+    process->waitForFinished();
   }
 
   // The same answers, ties included.
@@ -61,8 +155,37 @@ class BenchTest : public QObject {
   void thePlotNamesItsPoints() {
     const std::string plot = run_.read("bench.svg");
     QVERIFY(plot.starts_with("<svg"));
-    for (const char* part : {"refined, wide prior", "paper: network", "the best possible"})
+    for (const char* part : {"refined, wide prior", "refined, exact", "paper: network", "Bayesian",
+                             "full search, exhaustive (scaled)", "Memory, MB", "threads"})
       QVERIFY2(plot.find(part) != std::string::npos, part);
+  }
+
+  void thePlotIsWellFormed() {
+    QXmlStreamReader reader(QByteArray::fromStdString(run_.read("bench.svg")));
+    while (!reader.atEnd())
+      reader.readNext();
+    QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
+  }
+
+  // On a machine that has neither a display nor fonts.
+  void thePlotIsAPictureToo() {
+    const QByteArray fonts = qgetenv("FONTCONFIG_FILE"), platform = qgetenv("QT_QPA_PLATFORM");
+    run_.write("fonts.conf", "<?xml version=\"1.0\"?>\n<fontconfig></fontconfig>\n");
+    qputenv("FONTCONFIG_FILE", QByteArray::fromStdString((run_ / "fonts.conf").string()));
+    qunsetenv("QT_QPA_PLATFORM");
+    const Outcome outcome = run_.run("bench --pixels 100 --quick --plot bench.png");
+    qputenv("FONTCONFIG_FILE", fonts);
+    if (fonts.isNull()) qunsetenv("FONTCONFIG_FILE");
+    qputenv("QT_QPA_PLATFORM", platform);
+    EXPECT_DONE(outcome);
+    const Image image = run_.image("bench.png");
+    const Plane& plane = image.channels.front();
+    QCOMPARE(plane.width(), 1840);
+    QCOMPARE(plane.height(), 1600);
+    const auto values = valuesOf(plane);
+    const auto dark = std::count_if(values.begin(), values.end(), [](float v) { return v < 0.3f; });
+    // Words and markers are there, and most is ground.
+    QVERIFY2(dark > 5000 && dark < 300000, std::to_string(dark).c_str());
   }
 
   void errorsAreToldBeforeAnyWork_data() {
@@ -71,7 +194,9 @@ class BenchTest : public QObject {
     QTest::addColumn<QString>("part");
     QTest::newRow("folder") << "--report none/bench.json" << 4 << "none";
     QTest::newRow("plot") << "--plot none/bench.svg" << 4 << "none";
-    QTest::newRow("picture") << "--plot bench.png" << 2 << "name the file with .svg";
+    QTest::newRow("picture") << "--plot bench.pdf" << 2 << "name the file with .svg or .png";
+    QTest::newRow("no ending") << "--plot bench" << 2 << "name the file with .svg or .png";
+    QTest::newRow("png folder") << "--plot none/bench.png" << 4 << "none";
     QTest::newRow("twice") << "--plot a.svg --report a.svg" << 2 << "two results";
     QTest::newRow("few") << "--pixels 10" << 2 << "--pixels";
     QTest::newRow("profile") << "--profile nobody" << 3 << "nobody";
