@@ -118,7 +118,7 @@ double MapEstimator::cost(const VectorXd& channels, const VectorXd& precision,
   }
   const VectorXd residual = channels - nodes_.weights * reflectance;
   double sum = (precision.array() * residual.array().square()).sum();
-  const auto away = (coordinates - priorMean_).matrix();
+  const Eigen::Matrix<double, kParameterCount, 1> away = (coordinates - priorMean_).matrix();
   return sum + away.dot(priorPrecision_ * away);
 }
 

@@ -27,10 +27,10 @@ using ParameterMatrix = Eigen::Matrix<double, kParameterCount, kParameterCount>;
 struct EstimatorOptions {
   std::optional<Prior> prior;  // none: bounded least squares
   NoiseModel noise;
-  MeasurementGeometry geometry;  // how the channels see the skin
   // Parameters held at a value instead of being estimated.
   std::array<std::optional<double>, kParameterCount> fixed = {};
   int maximumIterations = 200;
+  MeasurementGeometry geometry = {};  // how the channels see the skin
 };
 
 struct Estimate {

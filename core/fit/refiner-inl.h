@@ -362,14 +362,16 @@ class Refiner {
     return hn::Gt(hn::Load(d, tired), hn::Zero(d));
   }
 
-  // Finished lanes take their last step unseen: it is shorter than what the tolerance lets matter.
+  // In single precision finished lanes take their last step unseen: it is shorter than what the
+  // tolerance lets matter. In double precision, where hardly any noise is assumed, a step that
+  // promises little may be a long way along a valley, and its end anywhere.
   HWY_INLINE void Write(M finished, M converged) {
     const D d;
     if (hn::AllFalse(d, finished)) return;
     HWY_ALIGN T values[kParameterCount][kLanes];
     HWY_ALIGN T flags[2][kLanes];
     const V nothing = hn::Zero(d);
-    const V share = hn::IfThenElse(converged, lanes_.share, nothing);
+    const V share = sizeof(T) == 4 ? hn::IfThenElse(converged, lanes_.share, nothing) : nothing;
     V last[kParameterCount];
     PointAlong(lanes_.base, lanes_.step, share, last);
     for (int i = 0; i < kParameterCount; ++i) hn::Store(last[i], d, values[i]);

@@ -10,20 +10,17 @@
 namespace cutis {
 namespace {
 
-constexpr std::array<std::string_view, 6> kLaterCommands = {
-    "measure", "export", "rig", "train", "calibrate-profile", "validate"};
+constexpr std::array<std::string_view, 4> kLaterCommands = {
+    "measure", "export", "train", "calibrate-profile"};
 
 struct LaterOption {
   std::string_view command;
   std::string_view option;
 };
-constexpr std::array<LaterOption, 7> kLaterOptions = {{{"fit", "--shading"},
-                                                       {"fit", "--frames"},
-                                                       {"apply", "--shading"},
+constexpr std::array<LaterOption, 4> kLaterOptions = {{{"fit", "--frames"},
                                                        {"edit", "--preset"},
                                                        {"apply", "--preset"},
-                                                       {"render", "--scatter"},
-                                                       {"spectrum", "--specular"}}};
+                                                       {"render", "--scatter"}}};
 
 std::vector<const CLI::App*> commandsOf(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });

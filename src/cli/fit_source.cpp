@@ -43,6 +43,19 @@ Status setBestExposure(const std::string& path, const SourceOptions& options,
   return {};
 }
 
+// The exact setting bends the parameters to whatever is in the channels.
+void warnOfNoise(const std::string& path, const FitOptions& options, const FittedSource& fitted,
+                 const JobContext& context) {
+  constexpr double kExactResidual = 2e-4;
+  const NoiseModel noise = options.noise.value_or(fitted.source.measurements.rig.noise);
+  if (options.method != FitMethod::refined || !noise.isExact()) return;
+  if (!(fitted.statistics.meanResidual > kExactResidual)) return;
+  context.say(path + ": no skin meets these channels exactly (residual " +
+              formatNumber(fitted.statistics.meanResidual, 2) +
+              " on average), and without noise all of that goes into the maps; tell the noise, "
+              "such as --noise 0.0001,0.005");
+}
+
 }  // namespace
 
 Result<FittedSource> fitSource(const std::string& path, const FitRequest& request,
@@ -78,6 +91,7 @@ Result<FittedSource> fitSource(const std::string& path, const FitRequest& reques
   CUTIS_TRY(gamut, measureGamut(fitted.source.measurements, fitted.planes.maps, *solver,
                                 options.noise, context.child(1.0, 1.0)));
   fitted.gamut = gamut;
+  warnOfNoise(path, options, fitted, context);
   fitted.seconds.fit = lap.seconds();
   return fitted;
 }

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "core/fit/spectra_fit.h"
-#include "src/cli/arguments.h"
 #include "src/cli/command.h"
+#include "src/cli/measurement_options.h"
 #include "src/cli/option_values.h"
 #include "src/cli/output_check.h"
 #include "src/files/atomic_write.h"
@@ -21,8 +21,8 @@ struct FitSpectraCommand {
   std::string measured;
   std::string output;
   std::string range = "400:700";
-  std::string specular = "excluded";
   std::string profile = kDefaultProfile;
+  MeasurementArguments measurement;
 };
 
 Result<WavelengthRange> rangeOf(const std::string& text) {
@@ -36,14 +36,6 @@ Result<WavelengthRange> rangeOf(const std::string& text) {
   CUTIS_TRY(to, realNumber("--range", text.substr(colon + 1), least, most));
   if (from < to) return WavelengthRange{from, to};
   return usageError("--range", "'" + text + "' is empty; write the smaller wavelength first");
-}
-
-Status checkSpecular(const std::string& specular) {
-  if (specular == "excluded") return {};
-  if (specular == "included") {
-    return usageError("--specular", std::string("included is ") + kNotInThisVersion);
-  }
-  return usageError("--specular", "'" + specular + "' is unknown; choose excluded");
 }
 
 // A name that would read as a comment, or that holds quotes, is quoted.
@@ -97,13 +89,14 @@ Status printSummary(const std::string& text) {
 Status runFitSpectraCommand(const FitSpectraCommand& command, Session& session) {
   const auto start = std::chrono::steady_clock::now();
   CUTIS_TRY(range, rangeOf(command.range));
-  CUTIS_CHECK(checkSpecular(command.specular));
+  CUTIS_TRY(setting, parseMeasurement(command.measurement));
   CUTIS_CHECK(checkTextOutput(command.output, {command.measured, command.profile}));
   CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
   CUTIS_TRY(spectra,
             readMeasuredSpectra(command.measured, range, kFewestWavelengths, session.context));
   CUTIS_TRY(fits, fitSpectra(*model, spectra.wavelengthsNm, spectra.reflectances,
-                             session.context.child(0.0, 1.0, "fitting spectra")));
+                             session.context.child(0.0, 1.0, "fitting spectra"),
+                             geometryOf(setting, model->profile())));
   CUTIS_CHECK(writeTextAtomically(command.output, tableOf(spectra.ids, fits)));
   if (session.quiet) return {};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -135,13 +128,10 @@ void addFitSpectraCommand(CLI::App& app, Invocation& invocation) {
                   "interpolated linearly (default: 400:700)")
       ->type_name("FROM:TO");
   command
-      .add_option("--specular", options->specular,
-                  "Whether the spectra contain the surface reflection: excluded (default)")
-      ->type_name("WORD");
-  command
       .add_option("--profile", options->profile,
                   "Skin model: a built-in name or a JSON file (default: li2024)")
       ->type_name("NAME|FILE");
+  addMeasurementOptions(command, options->measurement);
 }
 
 }  // namespace cutis

@@ -61,7 +61,7 @@ std::unique_ptr<CLI::App> makeCommandLine(Invocation& invocation) {
   app->require_subcommand(1);
   for (const auto add : {addFitCommand, addEditCommand, addRenderCommand, addApplyCommand,
                          addSpectrumCommand, addFitSpectraCommand, addSimulateCommand,
-                         addBenchCommand, addInfoCommand}) {
+                         addValidateCommand, addRigCommand, addBenchCommand, addInfoCommand}) {
     add(*app, invocation);
   }
   return app;
@@ -95,7 +95,7 @@ Status run(const Invocation& invocation, Console& console) {
   onInterrupt([] { interruption().request_stop(); });
   Engine engine(cacheFolder());
   Session session = {engine, std::make_shared<TileStore>(kPictureMemoryBytes), {},
-                     invocation.common.quiet};
+                     invocation.common.quiet, [&console] { console.clear(); }};
   session.context.stop = interruption().get_token();
   session.context.progress = Progress(
       [&console](double fraction, const std::string& stage) { console.progress(fraction, stage); });

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "src/cli/command.h"
+#include "src/cli/measurement_options.h"
 #include "src/cli/output_check.h"
 #include "src/cli/spectrum_rows.h"
 #include "src/files/atomic_write.h"
@@ -18,6 +19,7 @@ struct SpectrumCommand {
   std::string csv;
   std::string output;
   std::string profile = kDefaultProfile;
+  MeasurementArguments measurement;
 };
 
 Result<std::vector<ParameterVector>> setsOf(const SpectrumCommand& command,
@@ -40,13 +42,15 @@ Status runSpectrumCommand(const SpectrumCommand& command, Session& session) {
   if (command.parameters.empty() == command.csv.empty()) {
     return usageError("spectrum", "give either --params or --csv");
   }
+  CUTIS_TRY(setting, parseMeasurement(command.measurement));
   if (!command.output.empty()) {
     CUTIS_CHECK(checkTextOutput(command.output, {command.csv, command.profile}));
   }
   CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
   CUTIS_TRY(sets, setsOf(command, model->profile().axes));
+  const MeasuredModel measured(*model, geometryOf(setting, model->profile()));
   if (command.output.empty()) {
-    return writeSpectra(*model, sets, writeToStandardOutput, session.context);
+    return writeSpectra(measured, sets, writeToStandardOutput, session.context);
   }
   return writeAtomically(command.output, [&](const std::filesystem::path& temporary) -> Status {
     std::ofstream stream(temporary, std::ios::binary);
@@ -55,7 +59,7 @@ Status runSpectrumCommand(const SpectrumCommand& command, Session& session) {
       if (stream) return {};
       return resourceError(command.output, "the file cannot be written; free some disk space");
     };
-    CUTIS_CHECK(writeSpectra(*model, sets, write, session.context));
+    CUTIS_CHECK(writeSpectra(measured, sets, write, session.context));
     stream.close();
     return write({});
   });
@@ -85,6 +89,7 @@ void addSpectrumCommand(CLI::App& app, Invocation& invocation) {
       .add_option("--profile", options->profile,
                   "Skin model: a built-in name or a JSON file (default: li2024)")
       ->type_name("NAME|FILE");
+  addMeasurementOptions(command, options->measurement);
 }
 
 }  // namespace cutis

@@ -52,7 +52,7 @@ Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
   return columns;
 }
 
-void appendRow(const SkinModel& model, const ParameterVector& set, std::string& text) {
+void appendRow(const MeasuredModel& model, const ParameterVector& set, std::string& text) {
   const Spectrum spectrum = model.reflectance(set);
   std::array<char, 40> buffer = {};
   for (int i = 0; i < kSampleCount; ++i) {
@@ -127,7 +127,7 @@ Result<std::vector<ParameterVector>> readParameterSets(const std::string& path,
   return sets;
 }
 
-Status writeSpectra(const SkinModel& model, const std::vector<ParameterVector>& sets,
+Status writeSpectra(const MeasuredModel& model, const std::vector<ParameterVector>& sets,
                     const std::function<Status(std::string_view text)>& write,
                     const JobContext& context) {
   CUTIS_CHECK(write(headerRow()));

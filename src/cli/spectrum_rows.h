@@ -10,7 +10,7 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/skin/parameter_axis.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/measured_model.h"
 
 namespace cutis {
 
@@ -26,7 +26,7 @@ Result<std::vector<ParameterVector>> readParameterSets(const std::string& path,
 
 // The header row 300,302,…,1000 and a row of reflectances per set, with nine significant digits, in
 // parts and in order.
-Status writeSpectra(const SkinModel& model, const std::vector<ParameterVector>& sets,
+Status writeSpectra(const MeasuredModel& model, const std::vector<ParameterVector>& sets,
                     const std::function<Status(std::string_view text)>& write,
                     const JobContext& context);
 

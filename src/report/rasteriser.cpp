@@ -1,5 +1,6 @@
 #include "src/report/rasteriser.h"
 
+#include <array>
 #include <memory>
 
 #include <QByteArray>
@@ -29,10 +30,13 @@ class Silence {
 // Fonts need an application; this one needs no display.
 std::unique_ptr<QGuiApplication> makeApplication() {
   if (QCoreApplication::instance() != nullptr) return nullptr;  // the caller's own
-  static int count = 3;
   static char program[] = "cutis", option[] = "-platform", platform[] = "offscreen";
-  static char* arguments[] = {program, option, platform, nullptr};
-  return std::make_unique<QGuiApplication>(count, arguments);
+  static int count;
+  static std::array<char*, 4> arguments;
+  // An application takes out what it has understood; the next one needs it all again.
+  count = 3;
+  arguments = {program, option, platform, nullptr};
+  return std::make_unique<QGuiApplication>(count, arguments.data());
 }
 
 const char* rasterise(const RasteriserJob& job) {

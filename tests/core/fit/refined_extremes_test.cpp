@@ -125,6 +125,31 @@ class RefinedExtremesTest : public QObject {
     }
   }
 
+  // The exact setting on noisy channels meets them as well as the truth does, if not better.
+  void exactSettingOnNoisyChannels() {
+    const auto people = drawPopulation(protocolPopulation(), 500, 24);
+    const test::PixelSet pixels = test::simulate(test::monitorRig(), people, 0.005);
+    FitOptions options;
+    options.noise = NoiseModel{0.0, 0.0};
+    const auto solver = makeRefinedSolver(test::sharedModel(), test::monitorRig(), options);
+    test::Solutions solutions = test::solve(*solver, pixels);
+    test::Solutions truth = solutions;
+    for (std::size_t i = 0; i < pixels.count; ++i) {
+      for (std::size_t k = 0; k < kParameterCount; ++k) {
+        truth.parameters[k * pixels.count + i] = static_cast<float>(people[i][static_cast<int>(k)]);
+      }
+    }
+    const auto squares = [&](test::Solutions& at) {
+      std::vector<float> residuals(pixels.channels.size());
+      solver->residuals({pixels.count, pixels.count, pixels.channels.data(), at.parameters.data()},
+                        residuals.data());
+      double sum = 0.0;
+      for (const float residual : residuals) sum += double{residual} * double{residual};
+      return sum;
+    };
+    QVERIFY(squares(solutions) < squares(truth));
+  }
+
   void fixedParametersAreExact_data() {
     QTest::addColumn<bool>("log");
     QTest::addColumn<bool>("exact");

@@ -40,19 +40,26 @@ const std::vector<Case> kCases = {
     {"render a.exr b.exr -o c.png", "render: "},
     {"measure a.exr -o b.csv", "measure: not in this version"},
     {"calibrate-profile", "calibrate-profile: not in this version"},
-    {"fit a.png -o b.exr --shading", "--shading: not in this version"},
+    {"fit a.png -o b.exr --shading --method full-search",
+     "--shading: only the method refined takes this"},
     {"fit a.png -o b.exr --frames 1-240", "--frames: not in this version"},
     {"fit a.png -o b.exr --method network", "--method: network is not in this version"},
     {"fit a.png b.png -o b.exr", "b.png: several images are not in this version"},
     {"render a.exr -o b.png --scatter", "--scatter: not in this version"},
     {"edit a.exr -o b.exr --preset c", "--preset: not in this version"},
     {"apply a.cutis -o b.png", "a.cutis: projects are not in this version"},
-    {"fit-spectra a.csv -o b.csv --specular included",
-     "--specular: included is not in this version"},
+    {"fit-spectra a.csv -o b.csv --specular both",
+     "--specular: 'both' is unknown; choose included or excluded"},
     {"fit-spectra a.csv -o b.csv --range 400-700", "--range: '400-700' is no range"},
     {"fit-spectra a.csv -o b.csv --range 700:400", "--range: '700:400' is empty"},
     {"fit-spectra a.csv -o b.csv --range 200:700", "--range: 200 is out of range"},
-    {"spectrum --specular included", "--specular: not in this version"},
+    {"spectrum --params 0,0,0,0,0 --specular-share 0.04",
+     "--specular-share: this goes with --specular included"},
+    {"spectrum --params 0,0,0,0,0 --specular included --specular-share 4",
+     "--specular-share: 4 is out of range"},
+    {"validate a.csv --aperture-radius 0", "--aperture-radius: 0 is out of range"},
+    {"validate a.csv --plot b.txt", "the plot is written as SVG or PNG"},
+    {"validate", "SPECTRA is required"},
 };
 
 class UsageTest : public QObject {
@@ -71,8 +78,8 @@ class UsageTest : public QObject {
     const Outcome all = run_.run("--help");
     EXPECT_DONE(all);
     for (const char* command :
-         {"fit", "edit", "render", "apply", "spectrum", "fit-spectra", "simulate", "bench", "info",
-          "Exit status"}) {
+         {"fit", "edit", "render", "apply", "spectrum", "fit-spectra", "simulate", "validate",
+          "bench", "info", "Exit status"}) {
       QVERIFY2(all.output.find(command) != std::string::npos, command);
     }
     const Outcome fit = run_.run("fit --help");
