@@ -28,6 +28,10 @@ constexpr double kExactNodeTolerance = 1e-6;
 // The least noise that is assumed: stands in for "none" where none is asked for, and for read noise
 // in channels that are all but black, whose proportional noise would be nothing.
 constexpr double kExactNoise = 1e-6;
+// The same where there are fewer channels than parameters: the prior then decides along a curved
+// valley, which the fit can only follow if it is not all too narrow. Channels are met to a small
+// part of this.
+constexpr double kExactNoiseOfFewChannels = 1e-5;
 // A problem with the arrays it points to, for one precision.
 template <typename T>
 class ProblemData {
@@ -92,9 +96,23 @@ class ProblemData {
   RefinedProblem<T> problem_ = {};
 };
 
+bool asksForExact(const Rig& rig, const FitOptions& options) {
+  return options.noise.value_or(rig.noise).isExact();
+}
+
+// Whether the channels alone could decide.
+bool hasEnoughChannels(const Rig& rig, const FitOptions& options) {
+  const auto seeing = (responseRows(rig) != 0.0).rowwise().any().count();
+  const auto fixed = std::count_if(options.fixed.begin(), options.fixed.end(),
+                                   [](const auto& value) { return value.has_value(); });
+  return seeing >= kParameterCount - fixed;
+}
+
 NoiseModel effectiveNoise(const Rig& rig, const FitOptions& options) {
   const NoiseModel noise = options.noise.value_or(rig.noise);
-  return {std::max(noise.read, kExactNoise), noise.proportional};
+  const bool isCurved = asksForExact(rig, options) && !hasEnoughChannels(rig, options);
+  return {std::max(noise.read, isCurved ? kExactNoiseOfFewChannels : kExactNoise),
+          noise.proportional};
 }
 
 std::optional<ShadingModel> shadingOf(const Rig& rig, const FitOptions& options) {
@@ -104,11 +122,11 @@ std::optional<ShadingModel> shadingOf(const Rig& rig, const FitOptions& options)
 
 class RefinedSolver final : public PixelSolver {
  public:
-  RefinedSolver(std::shared_ptr<const SkinModel> model, const Rig& rig, const FitOptions& options,
-                bool exact)
+  RefinedSolver(std::shared_ptr<const SkinModel> model, const Rig& rig, const FitOptions& options)
       : PixelSolver(std::make_shared<ResponseModel>(
             *model, responseRows(rig),
-            NodeOptions{exact ? kExactNodeTolerance : kNodeTolerance, int{kMaximumFitNodes}}),
+            NodeOptions{asksForExact(rig, options) ? kExactNodeTolerance : kNodeTolerance,
+                                    int{kMaximumFitNodes}}),
                     shadingOf(rig, options)),
         model_(std::move(model)),
         prior_(options.prior.value_or(model_->profile().prior)),
@@ -127,7 +145,7 @@ class RefinedSolver final : public PixelSolver {
                                    options.shading.value_or(0.0)},
                                   solveFrom);
     single_.problem().start = &start_;
-    if (exact) {
+    if (asksForExact(rig, options) && hasEnoughChannels(rig, options)) {
       double_ = std::make_unique<ProblemData<double>>(*model_, channelModel().nodes(), prior_,
                                                       noise_, options);
       double_->problem().tolerance = kExactTolerance;
@@ -213,8 +231,7 @@ class RefinedSolver final : public PixelSolver {
 
 std::unique_ptr<const PixelSolver> makeRefinedSolver(std::shared_ptr<const SkinModel> model,
                                                      const Rig& rig, const FitOptions& options) {
-  const bool exact = options.noise.value_or(rig.noise).isExact();
-  return std::make_unique<RefinedSolver>(std::move(model), rig, options, exact);
+  return std::make_unique<RefinedSolver>(std::move(model), rig, options);
 }
 
 }  // namespace cutis

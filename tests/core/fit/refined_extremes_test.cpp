@@ -150,6 +150,25 @@ class RefinedExtremesTest : public QObject {
     QVERIFY(squares(solutions) < squares(truth));
   }
 
+  // Three channels for five parameters, and no noise: the prior decides among all that meet them.
+  void exactSettingWithFewChannels() {
+    const auto people = drawPopulation(protocolPopulation(), 500, 25);
+    const test::PixelSet pixels = test::simulate(test::albedoRig(), people, 0.0);
+    FitOptions options;
+    options.noise = NoiseModel{0.0, 0.0};
+    const auto solver = makeRefinedSolver(test::sharedModel(), test::albedoRig(), options);
+    test::Solutions solutions = test::solve(*solver, pixels);
+    std::vector<float> residuals(pixels.channels.size());
+    solver->residuals(
+        {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
+        residuals.data());
+    int unsolved = 0, far = 0;
+    for (const std::uint8_t state : solutions.states) unsolved += state == 0 ? 0 : 1;
+    for (const float residual : residuals) far += std::abs(residual) > 1e-5f ? 1 : 0;
+    EXPECT_AT_MOST(unsolved, 5);
+    EXPECT_AT_MOST(far, 10);
+  }
+
   void fixedParametersAreExact_data() {
     QTest::addColumn<bool>("log");
     QTest::addColumn<bool>("exact");
