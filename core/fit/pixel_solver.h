@@ -52,7 +52,8 @@ class PixelSolver {
   // What the interface calls its work, e.g. "refined fit".
   virtual const char* stage() const = 0;
   // Wavelengths at which the model is evaluated for the channels.
-  int nodeCount() const { return static_cast<int>(channels_->nodes().samples.size()); }
+  int nodeCount() const { return static_cast<int>(nodes().samples.size()); }
+  const SpectralNodes& nodes() const { return channels_->nodes(); }
   int channelCount() const { return channels_->rowCount(); }
 
  protected:

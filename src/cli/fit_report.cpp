@@ -55,6 +55,7 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
   root["pixels"] = pixelCounts(statistics.pixels);
   root["iterations"] = {{"mean", statistics.meanIterations}, {"max", statistics.maximumIterations}};
   root["nodes"] = fitted.nodes;
+  root["node_error"] = {{"rms", fitted.nodeRms}, {"worst", fitted.nodeWorst}};
   root["seconds"] = {{"load", seconds.load},
                      {"prepare", seconds.prepare},
                      {"fit", seconds.fit},

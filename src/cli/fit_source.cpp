@@ -80,6 +80,8 @@ Result<FittedSource> fitSource(const std::string& path, const FitRequest& reques
   CUTIS_TRY(solver, engine.solver(model, fitted.source.measurements.rig, options,
                                   context.child(0.15, 0.25, "preparing")));
   fitted.nodes = solver->nodeCount();
+  fitted.nodeRms = solver->nodes().rmsError;
+  fitted.nodeWorst = solver->nodes().worstError;
   if (request.chooseExposure) {
     CUTIS_CHECK(setBestExposure(path, request.source, *solver, session, fitted));
   }

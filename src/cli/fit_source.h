@@ -29,6 +29,8 @@ struct FittedSource {
   FitStatistics statistics;
   GamutStatistics gamut;
   int nodes = 0;
+  double nodeRms = 0.0;    // error of a channel summed at the nodes …
+  double nodeWorst = 0.0;  // … and the worst of those looked at
   FitSeconds seconds;
 };
 

@@ -105,6 +105,8 @@ class ChainTest : public QObject {
     QCOMPARE(pixels["total"].get<std::size_t>(), kPixels);
     QCOMPARE(sum, kPixels);
     QVERIFY(pixels["masked"].get<int>() > 0 && pixels.contains("no_convergence"));
+    QVERIFY(report["node_error"]["rms"].get<double>() <= 1e-5);
+    QVERIFY(report["node_error"]["worst"].get<double>() <= 1e-3);
     for (const char* stage : {"load", "prepare", "fit", "write"}) {
       QVERIFY(report["seconds"][stage].get<double>() > 0.0);
     }
