@@ -32,6 +32,7 @@ constexpr double kExactNoise = 1e-6;
 // valley, which the fit can only follow if it is not all too narrow. Channels are met to a small
 // part of this.
 constexpr double kExactNoiseOfFewChannels = 1e-5;
+
 // A problem with the arrays it points to, for one precision.
 template <typename T>
 class ProblemData {
@@ -110,8 +111,8 @@ bool hasEnoughChannels(const Rig& rig, const FitOptions& options) {
 
 NoiseModel effectiveNoise(const Rig& rig, const FitOptions& options) {
   const NoiseModel noise = options.noise.value_or(rig.noise);
-  const bool isCurved = asksForExact(rig, options) && !hasEnoughChannels(rig, options);
-  return {std::max(noise.read, isCurved ? kExactNoiseOfFewChannels : kExactNoise),
+  const bool priorDecides = asksForExact(rig, options) && !hasEnoughChannels(rig, options);
+  return {std::max(noise.read, priorDecides ? kExactNoiseOfFewChannels : kExactNoise),
           noise.proportional};
 }
 

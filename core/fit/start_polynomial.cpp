@@ -8,6 +8,7 @@
 
 #include "core/base/random.h"
 #include "core/fit/coordinate_prior.h"
+#include "core/fit/population.h"
 #include "core/skin/reflectance_batch.h"
 
 namespace cutis {
@@ -26,28 +27,13 @@ constexpr double kLimit = 4.0;
 
 static_assert(3 * kMaximumLights <= static_cast<int>(kMaximumFitChannels));
 
-// Drawn from the prior, as far as it lies in the profile's box.
-std::vector<ParameterVector> drawFromPrior(
-    const ParameterAxes& axes, const Prior& prior,
-    const std::array<std::optional<double>, kParameterCount>& fixed) {
-  constexpr int kTries = 32;
-  const ParameterMatrix factor = prior.correlation.llt().matrixL();
-  Random random(kSeed);
-  std::vector<ParameterVector> pixels(static_cast<std::size_t>(kPixels));
+// People of the prior, with parameters that are held at their value.
+std::vector<ParameterVector> drawPixels(const StartScene& scene) {
+  std::vector<ParameterVector> pixels =
+      drawFromPrior(scene.prior, scene.model.profile().axes, kPixels, kSeed);
   for (ParameterVector& p : pixels) {
-    bool inside = false;
-    for (int attempt = 0; attempt < kTries && !inside; ++attempt) {
-      ParameterVector normal;
-      for (double& value : normal) value = random.normal();
-      const ParameterVector away = (factor * normal.matrix()).array() * prior.deviation;
-      inside = true;
-      for (int i = 0; i < kParameterCount; ++i) {
-        const auto index = static_cast<std::size_t>(i);
-        const double maximum = axes[index].maximum;
-        p[i] = prior.isLog(i) ? prior.mean[i] * std::exp(away[i]) : prior.mean[i] + away[i];
-        inside = inside && p[i] >= 0.0 && p[i] <= maximum;
-        p[i] = fixed[index].value_or(std::clamp(p[i], 0.0, maximum));
-      }
+    for (int i = 0; i < kParameterCount; ++i) {
+      p[i] = scene.fixed[static_cast<std::size_t>(i)].value_or(p[i]);
     }
   }
   return pixels;
@@ -176,7 +162,7 @@ MatrixXd estimatesFrom(const StartPolynomial& start, const MatrixXd& logChannels
 
 StartPolynomial trainStartPolynomial(const StartScene& scene, const StartTrial& solve) {
   const ParameterAxes& axes = scene.model.profile().axes;
-  const std::vector<ParameterVector> pixels = drawFromPrior(axes, scene.prior, scene.fixed);
+  const std::vector<ParameterVector> pixels = drawPixels(scene);
   const MatrixXd logChannels = simulateLogChannels(scene, pixels);
   StartPolynomial polynomial = {};
   fitProjection(logChannels, polynomial);

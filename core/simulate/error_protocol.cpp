@@ -6,8 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
 #include "core/base/half.h"
 #include "core/base/parallel.h"
 #include "core/base/random.h"
@@ -20,8 +18,6 @@ namespace {
 
 // People evaluated at once: their spectra stay in the cache.
 constexpr std::size_t kBatch = 128;
-// Keeps the draws of a prior apart from those of other populations.
-constexpr std::uint64_t kPriorStream = 7;
 
 std::vector<int> allSamples() {
   std::vector<int> samples(kSampleCount);
@@ -58,28 +54,6 @@ void encode(std::span<float> values, SampleEncoding encoding) {
 
 Prior priorOf(const ParameterBox& box) {
   return {PriorScale::linear, 0.5 * (box.low + box.high), (box.high - box.low) / std::sqrt(12.0)};
-}
-
-std::vector<ParameterVector> drawFromPrior(const Prior& prior, const ParameterAxes& axes, int count,
-                                           std::uint64_t seed) {
-  const ParameterMatrix factor = prior.correlation.llt().matrixL();
-  Random random(seed, kPriorStream);
-  std::vector<ParameterVector> people(static_cast<std::size_t>(count));
-  for (ParameterVector& person : people) {
-    bool inside = false;
-    while (!inside) {
-      ParameterVector normal;
-      for (double& value : normal) value = random.normal();
-      const ParameterVector away = (factor * normal.matrix()).array() * prior.deviation;
-      inside = true;
-      for (int k = 0; k < kParameterCount; ++k) {
-        person[k] = prior.isLog(k) ? prior.mean[k] * std::exp(away[k]) : prior.mean[k] + away[k];
-        inside = inside && person[k] >= 0.0 &&
-                 person[k] <= axes[static_cast<std::size_t>(k)].maximum;
-      }
-    }
-  }
-  return people;
 }
 
 FullSpectra::FullSpectra(const SkinModel& model) : nodes_(model, allSamples()) {}

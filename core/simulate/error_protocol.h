@@ -23,10 +23,6 @@ namespace cutis {
 // Mean and deviation of a uniform population, linear: what a fit can know of it beforehand.
 Prior priorOf(const ParameterBox& box);
 
-// People as a prior has them, as far as they lie inside the axes' ranges. Precondition: some do.
-std::vector<ParameterVector> drawFromPrior(const Prior& prior, const ParameterAxes& axes, int count,
-                                           std::uint64_t seed);
-
 // Reflectance of several people at all samples of the grid, in double precision: out[sample][i].
 // Within 1e-12 of SkinModel. About 5 µs a person and core.
 class FullSpectra {

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/bench_style.h"
+#include "src/cli/plot_style.h"
 #include "src/files/csv.h"
 #include "src/report/scale.h"
 
 namespace cutis {
 namespace {
 
-using namespace bench_style;
+using namespace plot_style;
 
 constexpr double kMarker = 3.6;
 constexpr double kTickRoom = 46.0;     // for numbers left of a panel

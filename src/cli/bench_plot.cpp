@@ -8,7 +8,7 @@
 
 #include "src/cli/bench_errors.h"
 #include "src/cli/bench_panels.h"
-#include "src/cli/bench_style.h"
+#include "src/cli/plot_style.h"
 #include "src/cli/text_table.h"
 #include "src/files/csv.h"
 #include "src/report/label_placement.h"
@@ -17,7 +17,7 @@
 namespace cutis {
 namespace {
 
-using namespace bench_style;
+using namespace plot_style;
 
 constexpr double kWidth = 920.0, kHeight = 800.0;
 constexpr Box kPlot = {78.0, 104.0, 896.0, 436.0};

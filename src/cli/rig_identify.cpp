@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/fit/population.h"
 #include "core/rig/narrowband.h"
-#include "core/simulate/error_protocol.h"
 #include "src/cli/text_table.h"
 #include "src/files/csv.h"
 #include "src/files/spectral_library.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "src/cli/bench_style.h"
+#include "src/cli/plot_style.h"
 #include "src/cli/text_table.h"
 #include "src/files/csv.h"
 #include "src/report/scale.h"
@@ -12,7 +12,7 @@
 namespace cutis {
 namespace {
 
-using namespace bench_style;
+using namespace plot_style;
 
 constexpr double kWidth = 920.0, kHeight = 730.0;
 constexpr double kLeft = 84.0, kRight = 886.0, kMargin = 24.0;

@@ -125,7 +125,8 @@ class RefinedExtremesTest : public QObject {
     }
   }
 
-  // The exact setting on noisy channels meets them as well as the truth does, if not better.
+  // The exact setting on noisy channels meets them as well as the truth does, if not better, but for
+  // some pixels that end at the border of the box.
   void exactSettingOnNoisyChannels() {
     const auto people = drawPopulation(protocolPopulation(), 500, 24);
     const test::PixelSet pixels = test::simulate(test::monitorRig(), people, 0.005);
@@ -143,11 +144,18 @@ class RefinedExtremesTest : public QObject {
       std::vector<float> residuals(pixels.channels.size());
       solver->residuals({pixels.count, pixels.count, pixels.channels.data(), at.parameters.data()},
                         residuals.data());
-      double sum = 0.0;
-      for (const float residual : residuals) sum += double{residual} * double{residual};
-      return sum;
+      std::vector<double> sums(pixels.count, 0.0);
+      for (std::size_t i = 0; i < residuals.size(); ++i) {
+        sums[i % pixels.count] += double{residuals[i]} * double{residuals[i]};
+      }
+      return sums;
     };
-    QVERIFY(squares(solutions) < squares(truth));
+    const std::vector<double> reached = squares(solutions), possible = squares(truth);
+    std::size_t asWell = 0;
+    for (std::size_t i = 0; i < pixels.count; ++i) {
+      if (reached[i] <= possible[i]) ++asWell;
+    }
+    QVERIFY(asWell >= pixels.count * 9 / 10);
   }
 
   // Three channels for five parameters, and no noise: the prior decides among all that meet them.

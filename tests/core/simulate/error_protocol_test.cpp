@@ -165,23 +165,6 @@ class ErrorProtocolTest : public QObject {
     EXPECT_NEAR(coverage.assumed[kHaemoglobinDermal].share(), 1.0, 0.0);
   }
 
-  void peopleOfThePriorKeepToTheRanges() {
-    const Profile& profile = test::li2024().profile();
-    const auto people = drawFromPrior(profile.prior, profile.axes, 4000, 1);
-    const auto others = drawFromPrior(profile.prior, profile.axes, 4000, 2);
-    QVERIFY(people.front()[kMelanin] != others.front()[kMelanin]);
-    double meanLog = 0.0;
-    for (const ParameterVector& person : people) {
-      for (std::size_t k = 0; k < kParameterCount; ++k) {
-        const double value = person[static_cast<Eigen::Index>(k)];
-        QVERIFY(value >= 0.0 && value <= profile.axes[k].maximum);
-      }
-      meanLog += std::log(person[kHaemoglobinEpidermal]) / 4000.0;
-    }
-    // The range cuts off one in three hundred.
-    EXPECT_NEAR(meanLog, std::log(profile.prior.mean[kHaemoglobinEpidermal]), 0.06);
-  }
-
   // FITTING.md: 7.6e-7, 1.4e-6, 3.8e-6, 9.7e-6 for the monitor rig's nine channels.
   void theBoundIsAsDesigned() {
     constexpr std::array<double, 4> noises = {0.001, 0.002, 0.005, 0.01};

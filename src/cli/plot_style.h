@@ -1,11 +1,11 @@
 #pragma once
 
-// Colours and sizes of the benchmark's plot. It has a ground of its own, so that it reads the same
+// Colours and sizes of all plots. It has a ground of its own, so that it reads the same
 // on a light and on a dark page.
 
 #include "src/report/drawing.h"
 
-namespace cutis::bench_style {
+namespace cutis::plot_style {
 
 inline constexpr char kGround[] = "#ffffff";
 inline constexpr char kInk[] = "#1f2328";
@@ -28,4 +28,4 @@ inline constexpr TextStyle kLabel = {12.0, kInk, false};
 inline constexpr TextStyle kTick = {11.5, kMuted, false};
 inline constexpr TextStyle kNote = {10.5, kMuted, false};
 
-}  // namespace cutis::bench_style
+}  // namespace cutis::plot_style
