@@ -6,38 +6,37 @@
 #include <Eigen/Cholesky>
 
 namespace cutis {
-namespace {
 
-// Bounds are taken and left a few times each at most.
-constexpr int kMaximumChanges = 8 * kParameterCount;
-
-}  // namespace
-
-BoundedStep boundedStep(const EquationMatrix& hessian, const EquationVector& downhill,
-                        const EquationVector& x) {
-  BoundedStep result;
-  EquationVector& step = result.step;
-  const EquationVector low = -x, high = EquationVector::Ones() - x;
+template <int N>
+BoundedStep<N> boundedStep(const Eigen::Matrix<double, N, N>& hessian,
+                           const Eigen::Matrix<double, N, 1>& downhill,
+                           const Eigen::Matrix<double, N, 1>& x) {
+  using Vector = Eigen::Matrix<double, N, 1>;
+  // Bounds are taken and left a few times each at most.
+  constexpr int kMaximumChanges = 8 * N;
+  BoundedStep<N> result;
+  Vector& step = result.step;
+  const Vector low = -x, high = Vector::Ones() - x;
   const double slight = 1e-15 * downhill.cwiseAbs().maxCoeff();
-  std::array<bool, kParameterCount> held;
-  for (int i = 0; i < kParameterCount; ++i) {
+  std::array<bool, N> held;
+  for (int i = 0; i < N; ++i) {
     held[static_cast<std::size_t>(i)] =
         (low[i] >= 0.0 && downhill[i] <= 0.0) || (high[i] <= 0.0 && downhill[i] >= 0.0);
   }
   for (int change = 0; change < kMaximumChanges; ++change) {
-    EquationVector slope = downhill - hessian * step;
-    EquationMatrix system = hessian;
-    for (int i = 0; i < kParameterCount; ++i) {
+    Vector slope = downhill - hessian * step;
+    Eigen::Matrix<double, N, N> system = hessian;
+    for (int i = 0; i < N; ++i) {
       if (!held[static_cast<std::size_t>(i)]) continue;
       system.row(i).setZero();
       system.col(i).setZero();
       system(i, i) = 1.0;
       slope[i] = 0.0;
     }
-    const EquationVector move = system.ldlt().solve(slope);
+    const Vector move = system.ldlt().solve(slope);
     double share = 1.0;
     int blocking = -1;
-    for (int i = 0; i < kParameterCount; ++i) {
+    for (int i = 0; i < N; ++i) {
       const double room = (move[i] < 0.0 ? low[i] : high[i]) - step[i];
       if (move[i] == 0.0 || move[i] / room < 1.0) continue;
       // room may be 0, where the share is.
@@ -56,7 +55,7 @@ BoundedStep boundedStep(const EquationMatrix& hessian, const EquationVector& dow
     slope = downhill - hessian * step;
     double most = slight;
     int leaving = -1;
-    for (int i = 0; i < kParameterCount; ++i) {
+    for (int i = 0; i < N; ++i) {
       if (!held[static_cast<std::size_t>(i)]) continue;
       const double inward = step[i] <= low[i] ? slope[i] : -slope[i];
       if (inward <= most) continue;
@@ -69,5 +68,15 @@ BoundedStep boundedStep(const EquationMatrix& hessian, const EquationVector& dow
   result.decrease = std::max(0.0, step.dot(2.0 * downhill - hessian * step));
   return result;
 }
+
+template BoundedStep<5> boundedStep(const Eigen::Matrix<double, 5, 5>&,
+                                    const Eigen::Matrix<double, 5, 1>&,
+                                    const Eigen::Matrix<double, 5, 1>&);
+template BoundedStep<6> boundedStep(const Eigen::Matrix<double, 6, 6>&,
+                                    const Eigen::Matrix<double, 6, 1>&,
+                                    const Eigen::Matrix<double, 6, 1>&);
+template BoundedStep<7> boundedStep(const Eigen::Matrix<double, 7, 7>&,
+                                    const Eigen::Matrix<double, 7, 1>&,
+                                    const Eigen::Matrix<double, 7, 1>&);
 
 }  // namespace cutis

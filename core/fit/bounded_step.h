@@ -1,23 +1,25 @@
 #pragma once
 
-// The lowest point of a quadratic within the unit box, for the five parameters.
+// The lowest point of a quadratic within the unit box, for the five parameters and up to two more
+// coordinates.
 
 #include <Eigen/Core>
 
-#include "core/fit/spectra_equations.h"
-
 namespace cutis {
 
+template <int N>
 struct BoundedStep {
-  EquationVector step = EquationVector::Zero();
+  Eigen::Matrix<double, N, 1> step = Eigen::Matrix<double, N, 1>::Zero();
   // By how much the quadratic falls; 0 where nothing within the box is lower.
   double decrease = 0.0;
 };
 
 // Minimises sᵀ H s − 2 gᵀ s over the steps s that keep x + s within [0, 1]: a primal active set, so
 // that it never rises on the way. hessian: positive definite. Clipping the free minimum instead
-// would move the other coordinates as if the clipped ones had followed, too.
-BoundedStep boundedStep(const EquationMatrix& hessian, const EquationVector& downhill,
-                        const EquationVector& x);
+// would move the other coordinates as if the clipped ones had followed, too. N: 5 to 7.
+template <int N>
+BoundedStep<N> boundedStep(const Eigen::Matrix<double, N, N>& hessian,
+                           const Eigen::Matrix<double, N, 1>& downhill,
+                           const Eigen::Matrix<double, N, 1>& x);
 
 }  // namespace cutis

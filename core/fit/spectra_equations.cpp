@@ -9,32 +9,6 @@
 namespace cutis {
 namespace {
 
-// Of the lower triangle of the hessian, the slopes and the cost.
-constexpr std::size_t kHessianSums = kParameterCount * (kParameterCount + 1) / 2;
-constexpr std::size_t kSums = kHessianSums + kParameterCount + 1;
-
-// The last grid sample that is not above a wavelength, and how far it is on the way to the next.
-int sampleBelow(double wavelengthNm) {
-  const double position = (wavelengthNm - kFirstWavelengthNm) / kWavelengthStepNm;
-  return std::clamp(static_cast<int>(std::floor(position)), 0, kSampleCount - 1);
-}
-
-double shareAbove(double wavelengthNm) {
-  const double position = (wavelengthNm - kFirstWavelengthNm) / kWavelengthStepNm;
-  return position - sampleBelow(wavelengthNm);
-}
-
-std::vector<int> samplesNeeded(std::span<const double> wavelengthsNm) {
-  std::vector<int> samples;
-  for (const double wavelength : wavelengthsNm) {
-    samples.push_back(sampleBelow(wavelength));
-    if (shareAbove(wavelength) > 0.0) samples.push_back(samples.back() + 1);
-  }
-  std::sort(samples.begin(), samples.end());
-  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
-  return samples;
-}
-
 struct ParameterColumns {
   explicit ParameterColumns(std::span<const ParameterVector> sets)
       : values(sets.size() * kParameterCount) {
@@ -54,30 +28,27 @@ struct ParameterColumns {
 
 }  // namespace
 
+std::array<double, kParameterCount> absorptionPerCoordinate(const SkinModel& model, int sample) {
+  const ParameterAxes& axes = model.profile().axes;
+  std::array<double, kParameterCount> slopes = {
+      model.epidermis().eumelanin[sample], model.epidermis().pheomelanin[sample],
+      model.dermis().blood[sample], model.epidermis().blood[sample],
+      model.epidermis().carotene[sample]};
+  for (std::size_t k = 0; k < slopes.size(); ++k)
+    slopes[k] *= axes[k].maximum;
+  slopes[1] *= axes[kMelanin].maximum / axes[kMelaninBlend].maximum;
+  return slopes;
+}
+
 SpectralMisfit::SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
                                double edgeLossPerMm)
     : model_(model),
       measured_(model, {0.0, 1.0, edgeLossPerMm}),
       axes_(model.profile().axes),
-      nodes_(model, samplesNeeded(wavelengthsNm)) {
-  const std::vector<int>& samples = nodes_.samples();
-  for (const double wavelength : wavelengthsNm) {
-    Row row;
-    const auto at = std::lower_bound(samples.begin(), samples.end(), sampleBelow(wavelength));
-    row.lower = static_cast<std::size_t>(at - samples.begin());
-    row.share = shareAbove(wavelength);
-    row.upper = row.share > 0.0 ? row.lower + 1 : row.lower;
-    rows_.push_back(row);
-  }
-  for (const int sample : samples) {
-    NodeSlopes slopes = {model.epidermis().eumelanin[sample], model.epidermis().pheomelanin[sample],
-                         model.dermis().blood[sample], model.epidermis().blood[sample],
-                         model.epidermis().carotene[sample]};
-    for (std::size_t k = 0; k < slopes.size(); ++k)
-      slopes[k] *= axes_[k].maximum;
-    slopes[1] *= axes_[kMelanin].maximum / axes_[kMelaninBlend].maximum;
-    slopes_.push_back(slopes);
-  }
+      measuredRows_(measuredRows(wavelengthsNm)),
+      nodes_(model, measuredRows_.samples) {
+  for (const int sample : measuredRows_.samples)
+    slopes_.push_back(absorptionPerCoordinate(model, sample));
 }
 
 SpectralMisfit::NodeValues SpectralMisfit::evaluate(std::span<const ParameterVector> sets,
@@ -122,9 +93,10 @@ void SpectralMisfit::evaluateSingly(std::span<const ParameterVector> sets,
 Eigen::MatrixXd SpectralMisfit::spectra(std::span<const ParameterVector> sets) const {
   const std::size_t count = sets.size();
   const std::vector<double> reflectance = evaluate(sets, false).reflectance;
-  Eigen::MatrixXd spectra(rows_.size(), count);
-  for (std::size_t w = 0; w < rows_.size(); ++w) {
-    const Row& row = rows_[w];
+  const std::vector<MeasuredRow>& rows = measuredRows_.rows;
+  Eigen::MatrixXd spectra(rows.size(), count);
+  for (std::size_t w = 0; w < rows.size(); ++w) {
+    const MeasuredRow& row = rows[w];
     for (std::size_t i = 0; i < count; ++i) {
       spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
           (1.0 - row.share) * reflectance[row.lower * count + i] +
@@ -139,13 +111,12 @@ std::vector<SpectralEquations> SpectralMisfit::equations(
   const std::size_t count = sets.size();
   const auto [reflectance, perEpidermal, perDermal] = evaluate(sets, true);
 
-  // [sum][set]: the loops over sets run in vectors.
-  std::vector<double> sums(kSums * count);
-  std::vector<double> gradient(kParameterCount * count), residual(count);
-  for (std::size_t w = 0; w < rows_.size(); ++w) {
-    const Row& row = rows_[w];
+  EquationSums<kParameterCount> sums(count);
+  for (std::size_t w = 0; w < measuredRows_.rows.size(); ++w) {
+    const MeasuredRow& row = measuredRows_.rows[w];
     const double above = row.share, below = 1.0 - row.share;
     const std::size_t lower = row.lower * count, upper = row.upper * count;
+    double* residual = sums.residual();
     for (std::size_t i = 0; i < count; ++i) {
       residual[i] =
           measured[i][w] - (below * reflectance[lower + i] + above * reflectance[upper + i]);
@@ -153,46 +124,14 @@ std::vector<SpectralEquations> SpectralMisfit::equations(
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       const double* per = (k == kHaemoglobinDermal ? perDermal : perEpidermal).data();
       const double ofLower = below * slopes_[row.lower][k], ofUpper = above * slopes_[row.upper][k];
-      double* out = gradient.data() + k * count;
+      double* out = sums.gradient(k);
       for (std::size_t i = 0; i < count; ++i) {
         out[i] = ofLower * per[lower + i] + ofUpper * per[upper + i];
       }
     }
-    double* sum = sums.data();
-    const auto addProducts = [&](const double* a, const double* b) {
-      for (std::size_t i = 0; i < count; ++i)
-        sum[i] += a[i] * b[i];
-      sum += count;
-    };
-    for (std::size_t j = 0; j < kParameterCount; ++j) {
-      for (std::size_t k = 0; k <= j; ++k) {
-        addProducts(gradient.data() + j * count, gradient.data() + k * count);
-      }
-    }
-    for (std::size_t k = 0; k < kParameterCount; ++k) {
-      addProducts(gradient.data() + k * count, residual.data());
-    }
-    addProducts(residual.data(), residual.data());
+    sums.add();
   }
-
-  std::vector<SpectralEquations> equations(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* sum = sums.data() + i;
-    const auto next = [&] {
-      const double value = *sum;
-      sum += count;
-      return value;
-    };
-    SpectralEquations& own = equations[i];
-    for (int j = 0; j < kParameterCount; ++j) {
-      for (int k = 0; k <= j; ++k)
-        own.hessian(j, k) = own.hessian(k, j) = next();
-    }
-    for (int k = 0; k < kParameterCount; ++k)
-      own.downhill[k] = next();
-    own.cost = next();
-  }
-  return equations;
+  return sums.equations();
 }
 
 }  // namespace cutis

@@ -14,20 +14,21 @@
 
 #include <Eigen/Core>
 
+#include "core/fit/equation_sums.h"
+#include "core/fit/measured_rows.h"
 #include "core/skin/measured_model.h"
 #include "core/skin/node_model.h"
 #include "core/skin/skin_model.h"
 
 namespace cutis {
 
-using EquationMatrix = Eigen::Matrix<double, kParameterCount, kParameterCount>;
-using EquationVector = Eigen::Matrix<double, kParameterCount, 1>;
+using SpectralEquations = EquationsOf<kParameterCount>;
+using EquationMatrix = SpectralEquations::Matrix;
+using EquationVector = SpectralEquations::Vector;
 
-struct SpectralEquations {
-  EquationMatrix hessian = EquationMatrix::Zero();   // Jᵀ J
-  EquationVector downhill = EquationVector::Zero();  // Jᵀ (measured − modelled)
-  double cost = 0.0;                                 // Σ (measured − modelled)²
-};
+// Absorption at a sample of the grid per unit of each coordinate above: of the epidermis, but for
+// dermal haemoglobin.
+std::array<double, kParameterCount> absorptionPerCoordinate(const SkinModel& model, int sample);
 
 // Thread-safe: const after construction.
 class SpectralMisfit {
@@ -38,7 +39,9 @@ class SpectralMisfit {
   SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
                  double edgeLossPerMm = 0.0);
 
-  std::size_t wavelengthCount() const { return rows_.size(); }
+  static constexpr int kCoordinates = kParameterCount;
+
+  std::size_t wavelengthCount() const { return measuredRows_.rows.size(); }
   const ParameterAxes& axes() const { return axes_; }
 
   // One spectrum a column.
@@ -55,21 +58,13 @@ class SpectralMisfit {
   };
   NodeValues evaluate(std::span<const ParameterVector> sets, bool derivatives) const;
   void evaluateSingly(std::span<const ParameterVector> sets, NodeValues& values) const;
-  // A wavelength between two nodes, or at one (both the same).
-  struct Row {
-    std::size_t lower = 0;
-    std::size_t upper = 0;
-    double share = 0.0;  // of the upper
-  };
-  // Absorption per unit of each coordinate: of the epidermis, but for dermal haemoglobin.
-  using NodeSlopes = std::array<double, kParameterCount>;
 
   const SkinModel& model_;
   MeasuredModel measured_;  // its edge loss alone
   ParameterAxes axes_;
-  std::vector<Row> rows_;
+  MeasuredRows measuredRows_;
   NodeModel nodes_;
-  std::vector<NodeSlopes> slopes_;
+  std::vector<std::array<double, kParameterCount>> slopes_;  // per coordinate, at the nodes
 };
 
 }  // namespace cutis

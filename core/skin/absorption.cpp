@@ -83,4 +83,8 @@ Spectrum dermalScattering(const Profile& profile) {
   return profile.dermalScatteringRatio * epidermalScattering(profile);
 }
 
+double longestPathMm(const Profile& profile) {
+  return 1.0 / (epidermalScattering(profile) + epidermalAbsorption(profile).base).minCoeff();
+}
+
 }  // namespace cutis

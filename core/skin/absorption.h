@@ -43,4 +43,8 @@ double packagingFactor(double absorptionPerMm, double radiusMm);
 Spectrum epidermalScattering(const Profile& profile);
 Spectrum dermalScattering(const Profile& profile);
 
+// The longest transport mean free path in an epidermis without chromophores, 300 to 1000 nm: the
+// thinnest slab that diffusion describes.
+double longestPathMm(const Profile& profile);
+
 }  // namespace cutis

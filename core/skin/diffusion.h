@@ -63,9 +63,10 @@ Medium<Scalar> medium(const Scalar& absorption, double scattering) {
 
 }  // namespace diffusion
 
-// Slab of thickness d with boundary factors A_i at the lit side and A_o at the far side.
-template <typename Scalar>
-SlabOptics<Scalar> slabOptics(const Scalar& absorption, double scattering, double thickness,
+// Slab of thickness d, a double or a Scalar, with boundary factors A_i at the lit side and A_o at the
+// far side.
+template <typename Scalar, typename Length>
+SlabOptics<Scalar> slabOptics(const Scalar& absorption, double scattering, const Length& thickness,
                               double factorNear, double factorFar) {
   using std::exp;
   using std::expm1;

@@ -79,18 +79,8 @@ LayerTable::LayerTable(std::span<const int> samples,
 
 Result<LayerTable> LayerTable::make(const Profile& profile, std::span<const int> samples,
                                     const LayerTableOptions& options, const JobContext& context) {
-  const ProfileOptics optics(profile);
-  const TransportOptions transport = transportOptions(profile, options);
-  std::vector<LayerPolynomial<double>> polynomials(samples.size());
-  CUTIS_CHECK(parallelFor(samples.size(), context, [&](std::size_t i) -> Status {
-    auto fitted = fitLayerPolynomial(layersAt(profile, optics, samples[i]), transport);
-    if (fitted.failed()) {
-      const auto nm = std::to_string(kFirstWavelengthNm + kWavelengthStepNm * samples[i]);
-      return inputError(profile.name + " at " + nm + " nm", fitted.error().message);
-    }
-    polynomials[i] = fitted.value();
-    return {};
-  }));
+  CUTIS_TRY(polynomials,
+            fitLayers(profile, samples, layersOf(profile, samples), options, context));
   return LayerTable(samples, std::move(polynomials));
 }
 
@@ -113,6 +103,33 @@ const LayerPolynomial<double>& LayerTable::at(int sample) const {
 
 TwoLayers layersOf(const Profile& profile, int sample) {
   return layersAt(profile, ProfileOptics(profile), sample);
+}
+
+std::vector<TwoLayers> layersOf(const Profile& profile, std::span<const int> samples) {
+  const ProfileOptics optics(profile);
+  std::vector<TwoLayers> layers;
+  for (const int sample : samples)
+    layers.push_back(layersAt(profile, optics, sample));
+  return layers;
+}
+
+Result<std::vector<LayerPolynomial<double>>> fitLayers(const Profile& profile,
+                                                       std::span<const int> samples,
+                                                       std::span<const TwoLayers> layers,
+                                                       const LayerTableOptions& options,
+                                                       const JobContext& context) {
+  const TransportOptions transport = transportOptions(profile, options);
+  std::vector<LayerPolynomial<double>> polynomials(samples.size());
+  CUTIS_CHECK(parallelFor(samples.size(), context, [&](std::size_t i) -> Status {
+    auto fitted = fitLayerPolynomial(layers[i], transport);
+    if (fitted.failed()) {
+      const auto nm = std::to_string(kFirstWavelengthNm + kWavelengthStepNm * samples[i]);
+      return inputError(profile.name + " at " + nm + " nm", fitted.error().message);
+    }
+    polynomials[i] = fitted.value();
+    return {};
+  }));
+  return polynomials;
 }
 
 std::string layerTableFingerprint(const Profile& profile, const LayerTableOptions& options) {

@@ -65,6 +65,16 @@ class LayerTable {
 
 // The two layers of a profile at one wavelength, with the absorptions its parameter box spans.
 TwoLayers layersOf(const Profile& profile, int sample);
+// The same at several, where what they share is worked out once.
+std::vector<TwoLayers> layersOf(const Profile& profile, std::span<const int> samples);
+
+// The polynomials of layers at these samples, one for each: what LayerTable::make does, for layers
+// whose ranges are not those of the profile's own constants.
+Result<std::vector<LayerPolynomial<double>>> fitLayers(const Profile& profile,
+                                                       std::span<const int> samples,
+                                                       std::span<const TwoLayers> layers,
+                                                       const LayerTableOptions& options = {},
+                                                       const JobContext& context = {});
 
 // Names everything a table of a profile depends on, this form of the table included: equal
 // fingerprints, equal tables.

@@ -157,12 +157,11 @@ Status validateLayers(const Profile& profile, const std::string& place) {
                       place, "epidermis.thickness_mm", "between 0 and 10"));
   CUTIS_CHECK(validateScattering(profile, place));
   // Below one transport mean free path the slab's reflectance turns negative.
-  const double longestPathMm =
-      1.0 / (epidermalScattering(profile) + epidermalAbsorption(profile).base).minCoeff();
+  const double thinnestMm = longestPathMm(profile);
   return require(profile.layerOptics != LayerOpticsKind::diffusion ||
-                     profile.epidermalThicknessMm >= longestPathMm,
+                     profile.epidermalThicknessMm >= thinnestMm,
                  place, "epidermis.thickness_mm",
-                 "at least " + std::to_string(longestPathMm) +
+                 "at least " + std::to_string(thinnestMm) +
                      ", one transport mean free path, for layer_optics \"diffusion\"; a thinner "
                      "epidermis needs adding-doubling");
 }

@@ -10,8 +10,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::array<std::string_view, 4> kLaterCommands = {
-    "measure", "export", "train", "calibrate-profile"};
+constexpr std::array<std::string_view, 3> kLaterCommands = {"measure", "export", "train"};
 
 struct LaterOption {
   std::string_view command;

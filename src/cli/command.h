@@ -53,6 +53,7 @@ void addApplyCommand(CLI::App& app, Invocation& invocation);
 void addSpectrumCommand(CLI::App& app, Invocation& invocation);
 void addSimulateCommand(CLI::App& app, Invocation& invocation);
 void addValidateCommand(CLI::App& app, Invocation& invocation);
+void addCalibrateProfileCommand(CLI::App& app, Invocation& invocation);
 void addRigCommand(CLI::App& app, Invocation& invocation);
 void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addInfoCommand(CLI::App& app, Invocation& invocation);

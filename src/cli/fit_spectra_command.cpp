@@ -4,8 +4,9 @@
 #include <chrono>
 #include <cstdio>
 
-#include "core/fit/spectra_fit.h"
+#include "core/fit/free_spectra_fit.h"
 #include "src/cli/command.h"
+#include "src/cli/free_option.h"
 #include "src/cli/measurement_options.h"
 #include "src/cli/option_values.h"
 #include "src/cli/output_check.h"
@@ -23,6 +24,7 @@ struct FitSpectraCommand {
   std::string range = "400:700";
   std::string profile = kDefaultProfile;
   MeasurementArguments measurement;
+  std::string free;
 };
 
 Result<WavelengthRange> rangeOf(const std::string& text) {
@@ -49,29 +51,34 @@ std::string quotedId(const std::string& id) {
   return text + '"';
 }
 
-std::string tableOf(const std::vector<std::string>& ids, const std::vector<SpectrumFit>& fits) {
+std::string tableOf(const std::vector<std::string>& ids, const std::vector<FreeSpectrumFit>& fits,
+                    const FreeConstants& free) {
   std::string text = "id";
   for (const Parameter parameter : kParameters) {
     text += ',';
     text += parameterName(parameter);
   }
+  if (free.oxygenation) text += ",oxygenation";
+  if (free.thickness) text += ",thickness_mm";
   text += ",rmse\n";
   for (std::size_t i = 0; i < fits.size(); ++i) {
     text += quotedId(ids[i]);
-    for (const double value : fits[i].parameters)
+    for (const double value : fits[i].fit.parameters)
       text += ',' + formatNumber(value);
-    text += ',' + formatNumber(fits[i].rmse) + '\n';
+    if (free.oxygenation) text += ',' + formatNumber(fits[i].constants.oxygenation);
+    if (free.thickness) text += ',' + formatNumber(fits[i].constants.thicknessMm);
+    text += ',' + formatNumber(fits[i].fit.rmse) + '\n';
   }
   return text;
 }
 
 // fits: at least one.
-std::string summaryOf(const std::vector<SpectrumFit>& fits, double seconds) {
+std::string summaryOf(const std::vector<FreeSpectrumFit>& fits, double seconds) {
   std::vector<double> errors;
   double sum = 0.0;
-  for (const SpectrumFit& fit : fits) {
-    errors.push_back(fit.rmse);
-    sum += fit.rmse;
+  for (const FreeSpectrumFit& found : fits) {
+    errors.push_back(found.fit.rmse);
+    sum += found.fit.rmse;
   }
   std::sort(errors.begin(), errors.end());
   const std::size_t of95 = (errors.size() * 95 + 99) / 100 - 1;
@@ -90,14 +97,15 @@ Status runFitSpectraCommand(const FitSpectraCommand& command, Session& session) 
   const auto start = std::chrono::steady_clock::now();
   CUTIS_TRY(range, rangeOf(command.range));
   CUTIS_TRY(setting, parseMeasurement(command.measurement));
+  CUTIS_TRY(free, freeConstants("--free", command.free));
   CUTIS_CHECK(checkTextOutput(command.output, {command.measured, command.profile}));
   CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
-  CUTIS_TRY(spectra,
-            readMeasuredSpectra(command.measured, range, kFewestWavelengths, session.context));
-  CUTIS_TRY(fits, fitSpectra(*model, spectra.wavelengthsNm, spectra.reflectances,
-                             session.context.child(0.0, 1.0, "fitting spectra"),
-                             geometryOf(setting, model->profile())));
-  CUTIS_CHECK(writeTextAtomically(command.output, tableOf(spectra.ids, fits)));
+  CUTIS_TRY(spectra, readMeasuredSpectra(command.measured, range, fewestWavelengths(free),
+                                         session.context));
+  CUTIS_TRY(fits, fitSpectraFreely(*model, spectra.wavelengthsNm, spectra.reflectances, free,
+                                   session.context.child(0.0, 1.0, "fitting spectra"),
+                                   geometryOf(setting, model->profile())));
+  CUTIS_CHECK(writeTextAtomically(command.output, tableOf(spectra.ids, fits, free)));
   if (session.quiet) return {};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return printSummary(summaryOf(fits, taken.count()));
@@ -119,7 +127,8 @@ void addFitSpectraCommand(CLI::App& app, Invocation& invocation) {
       ->type_name("");
   command
       .add_option("-o,--output", options->output,
-                  "File to write: id, the five parameters and the RMSE of each spectrum")
+                  "File to write: id, the five parameters, what --free names and the RMSE of each "
+                  "spectrum")
       ->required()
       ->type_name("FILE");
   command
@@ -131,6 +140,14 @@ void addFitSpectraCommand(CLI::App& app, Invocation& invocation) {
       .add_option("--profile", options->profile,
                   "Skin model: a built-in name or a JSON file (default: li2024)")
       ->type_name("NAME|FILE");
+  command
+      .add_option("--free", options->free,
+                  "Constants of the profile to find for each spectrum, too: oxygenation (of the "
+                  "dermis's blood, 0 to 1; that of the epidermis moves along), thickness (of the "
+                  "epidermis, 0.02 to 0.5 mm; with diffusion not below what it can describe), or "
+                  "both with a comma; columns oxygenation and thickness_mm before rmse (default: "
+                  "none)")
+      ->type_name("NAMES");
   addMeasurementOptions(command, options->measurement);
 }
 

@@ -61,7 +61,8 @@ std::unique_ptr<CLI::App> makeCommandLine(Invocation& invocation) {
   app->require_subcommand(1);
   for (const auto add : {addFitCommand, addEditCommand, addRenderCommand, addApplyCommand,
                          addSpectrumCommand, addFitSpectraCommand, addSimulateCommand,
-                         addValidateCommand, addRigCommand, addBenchCommand, addInfoCommand}) {
+                         addValidateCommand, addCalibrateProfileCommand, addRigCommand,
+                         addBenchCommand, addInfoCommand}) {
     add(*app, invocation);
   }
   return app;

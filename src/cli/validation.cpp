@@ -26,11 +26,6 @@ std::size_t countOf(const MeasuredSpectra& spectra) {
   return spectra.ids.size();
 }
 
-std::span<const double> spectrumAt(const MeasuredSpectra& spectra, std::size_t index) {
-  const std::size_t width = spectra.wavelengthsNm.size();
-  return std::span(spectra.reflectances).subspan(index * width, width);
-}
-
 // Linear between the samples of the grid.
 double at(const Spectrum& spectrum, double wavelength) {
   const double position = (wavelength - kFirstWavelengthNm) / kWavelengthStepNm;
@@ -123,20 +118,6 @@ SpectrumRows channelsWithin(const MeasuredSpectra& spectra, const Rig& rig) {
   return rows;
 }
 
-// Linear between the measured wavelengths, of which there are at least two, and beyond them.
-Spectrum onGrid(const std::vector<double>& wavelengths, std::span<const double> measured) {
-  Spectrum values;
-  for (int sample = 0; sample < kSampleCount; ++sample) {
-    const double wavelength = wavelengthNm(sample);
-    const auto next = std::upper_bound(wavelengths.begin() + 1, wavelengths.end() - 1, wavelength);
-    const auto above = static_cast<std::size_t>(next - wavelengths.begin());
-    const double share =
-        (wavelength - wavelengths[above - 1]) / (wavelengths[above] - wavelengths[above - 1]);
-    values[sample] = (1.0 - share) * measured[above - 1] + share * measured[above];
-  }
-  return values;
-}
-
 Result<std::vector<ParameterVector>> fitColors(const SkinModel& model,
                                                const MeasuredSpectra& spectra,
                                                const MeasurementGeometry& geometry, const Rig& rig,
@@ -153,7 +134,7 @@ Result<std::vector<ParameterVector>> fitColors(const SkinModel& model,
     const std::size_t first = piece * kSpectraPerPiece;
     const std::size_t last = std::min(first + kSpectraPerPiece, parameters.size());
     for (std::size_t i = first; i < last; ++i) {
-      const Spectrum spectrum = onGrid(spectra.wavelengthsNm, spectrumAt(spectra, i));
+      const Spectrum spectrum = onGrid(spectra, i);
       parameters[i] = estimator.solve(channels.matrix() * spectrum.matrix()).parameters;
     }
     return {};

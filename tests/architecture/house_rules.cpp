@@ -8,14 +8,15 @@
 namespace cutis::test {
 namespace {
 
-// core: the chain base ← spectra ← skin ← rig ← fit …
+// core: the chain base ← spectra ← skin ← rig ← neural ← fit …
 const std::vector<std::string> kChain = {"core/base", "core/spectra", "core/skin", "core/rig",
-                                         "core/fit"};
+                                         "core/neural", "core/fit"};
 // … and what stands on a part of it: edit and render never see rig or fit.
 const std::map<std::string, std::vector<std::string>> kBesideTheChain = {
     {"core/edit", {"core/base", "core/spectra", "core/skin"}},
     {"core/render", {"core/base", "core/spectra", "core/skin"}},
     {"core/analyse", kChain},
+    {"core/calibrate", kChain},
     {"core/simulate",
      {"core/base", "core/spectra", "core/skin", "core/rig", "core/fit", "core/edit", "core/render",
       "core/analyse"}}};

@@ -203,20 +203,30 @@ class SpectraFitTest : public QObject {
 
   // The step of the lowest of all ways to hold coordinates at their bounds.
   void boundedStepsAreLowest() {
+    expectLowestSteps<5>();
+    expectLowestSteps<6>();
+    expectLowestSteps<7>();
+  }
+
+ private:
+  template <int N>
+  void expectLowestSteps() {
+    using Matrix = Eigen::Matrix<double, N, N>;
+    using Vector = Eigen::Matrix<double, N, 1>;
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform;
     for (int trial = 0; trial < 300; ++trial) {
-      EquationMatrix root = EquationMatrix::NullaryExpr([&] { return normal(random); });
-      const EquationMatrix hessian = root * root.transpose() + 1e-6 * EquationMatrix::Identity();
-      const EquationVector downhill = EquationVector::NullaryExpr([&] { return normal(random); });
-      const EquationVector x = EquationVector::NullaryExpr(
+      const Matrix root = Matrix::NullaryExpr([&] { return normal(random); });
+      const Matrix hessian = root * root.transpose() + 1e-6 * Matrix::Identity();
+      const Vector downhill = Vector::NullaryExpr([&] { return normal(random); });
+      const Vector x = Vector::NullaryExpr(
           [&] { return std::clamp(1.4 * uniform(random) - 0.2, 0.0, 1.0); });
-      const BoundedStep found = boundedStep(hessian, downhill, x);
-      const EquationVector to = x + found.step;
+      const BoundedStep<N> found = boundedStep(hessian, downhill, x);
+      const Vector to = x + found.step;
       QVERIFY((to.array() >= -1e-15).all() && (to.array() <= 1.0 + 1e-15).all());
-      const EquationVector slope = downhill - hessian * found.step;
-      for (int i = 0; i < kParameterCount; ++i) {
+      const Vector slope = downhill - hessian * found.step;
+      for (int i = 0; i < N; ++i) {
         const double scale = 1e-8 * (1.0 + hessian.norm());
         if (to[i] > 1e-12) QVERIFY(slope[i] > -scale);
         if (to[i] < 1.0 - 1e-12) QVERIFY(slope[i] < scale);

@@ -1,5 +1,5 @@
-// The profile skin2026 against numbers of its own: formulas written out again, and reflectances of
-// another program.
+// A profile with all that profiles may have, of the form of skin2026, against numbers of its own:
+// formulas written out again, and reflectances of another program.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ constexpr std::array<int, 12> kNm = {300, 350, 414, 450, 500, 542, 576, 600, 700
 
 const Profile& skin2026() {
   static const Profile profile =
-      loadProfile(CUTIS_SOURCE_DIR "/resources/profiles/skin2026.json", "test").value();
+      loadProfile(CUTIS_SOURCE_DIR "/tests/core/skin/two_layer_profile.json", "test").value();
   return profile;
 }
 

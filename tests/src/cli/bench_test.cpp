@@ -167,27 +167,6 @@ class BenchTest : public QObject {
     QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
   }
 
-  // On a machine that has neither a display nor fonts.
-  void thePlotIsAPictureToo() {
-    const QByteArray fonts = qgetenv("FONTCONFIG_FILE"), platform = qgetenv("QT_QPA_PLATFORM");
-    run_.write("fonts.conf", "<?xml version=\"1.0\"?>\n<fontconfig></fontconfig>\n");
-    qputenv("FONTCONFIG_FILE", QByteArray::fromStdString((run_ / "fonts.conf").string()));
-    qunsetenv("QT_QPA_PLATFORM");
-    const Outcome outcome = run_.run("bench --pixels 100 --quick --plot bench.png");
-    qputenv("FONTCONFIG_FILE", fonts);
-    if (fonts.isNull()) qunsetenv("FONTCONFIG_FILE");
-    qputenv("QT_QPA_PLATFORM", platform);
-    EXPECT_DONE(outcome);
-    const Image image = run_.image("bench.png");
-    const Plane& plane = image.channels.front();
-    QCOMPARE(plane.width(), 1840);
-    QCOMPARE(plane.height(), 1600);
-    const auto values = valuesOf(plane);
-    const auto dark = std::count_if(values.begin(), values.end(), [](float v) { return v < 0.3f; });
-    // Words and markers are there, and most is ground.
-    QVERIFY2(dark > 5000 && dark < 300000, std::to_string(dark).c_str());
-  }
-
   void errorsAreToldBeforeAnyWork_data() {
     QTest::addColumn<QString>("options");
     QTest::addColumn<int>("status");

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "core/skin/parameter_sampling.h"
 #include "src/files/csv.h"
@@ -68,6 +69,55 @@ class FitSpectraTest : public QObject {
       QCOMPARE(std::string(rows[r].fields[0]), "s" + std::to_string(r - 1));
       EXPECT_AT_MOST(parseNumber(rows[r].fields[6]).value_or(NAN), 1e-6);
     }
+  }
+
+  void freeConstantsAreColumns() {
+    run_.write("free.csv", spectraInRows(people(3)));
+    const std::string five = std::string(kHeader).substr(0, std::string(kHeader).rfind(','));
+    for (const auto& [names, columns] :
+         {std::pair<QString, std::string>{"oxygenation", ",oxygenation,rmse"},
+          {"thickness", ",thickness_mm,rmse"},
+          {"thickness,oxygenation", ",oxygenation,thickness_mm,rmse"}}) {
+      EXPECT_DONE(run_.run("fit-spectra free.csv -o out.csv --threads 1 --free " + names));
+      EXPECT_DONE(run_.run("fit-spectra free.csv -o two.csv --threads 2 --free " + names));
+      const std::string text = run_.read("out.csv");
+      QVERIFY(text == run_.read("two.csv"));
+      const auto rows = splitCsv(text);
+      QCOMPARE(text.substr(0, text.find('\n')), five + columns);
+      for (std::size_t r = 1; r < rows.size(); ++r) {
+        QCOMPARE(rows[r].fields.size(), rows[0].fields.size());
+        EXPECT_AT_MOST(parseNumber(rows[r].fields.back()).value_or(NAN), 1e-6);
+      }
+    }
+  }
+
+  void whatCannotBeFreeIsRefused_data() {
+    QTest::addColumn<QString>("names");
+    QTest::addColumn<QString>("part");
+    QTest::newRow("unknown") << "water" << "'water' cannot be found from spectra";
+    QTest::newRow("twice") << "thickness,thickness" << "'thickness' is there twice";
+  }
+  void whatCannotBeFreeIsRefused() {
+    QFETCH(QString, names);
+    QFETCH(QString, part);
+    run_.write("free.csv", spectraInRows(people(1)));
+    const Outcome outcome =
+        run_.run("fit-spectra free.csv -o none.csv --free " + names);
+    QCOMPARE(outcome.status, 2);
+    QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
+    QVERIFY2(outcome.errors.find(part.toStdString()) != std::string::npos, outcome.errors.c_str());
+    QVERIFY(!std::filesystem::exists(run_ / "none.csv"));
+  }
+
+  void freeConstantsAskForMoreWavelengths() {
+    run_.write("six.csv", "id,400,450,500,550,600,650\na,.1,.2,.3,.3,.4,.5\n");
+    EXPECT_DONE(run_.run("fit-spectra six.csv -o out.csv --free oxygenation"));
+    const Outcome outcome =
+        run_.run("fit-spectra six.csv -o none.csv --free oxygenation,thickness");
+    QCOMPARE(outcome.status, 3);
+    QVERIFY2(outcome.errors.find("6 where at least 7 are needed") != std::string::npos,
+             outcome.errors.c_str());
+    QVERIFY(!std::filesystem::exists(run_ / "none.csv"));
   }
 
   void columnsThreadsAndQuietChangeNothing() {

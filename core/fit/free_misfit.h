@@ -1,0 +1,83 @@
+#pragma once
+
+// The model at measured wavelengths with constants of the profile as further coordinates, and the
+// normal equations of its misfit: the inner part of core/fit/free_spectra_fit.cpp.
+//
+// A set is the five parameters and then, in this order as far as they are free, oxygenation and
+// thickness as coordinates from 0 to 1: γ itself, and the place of the logarithm of the thickness in
+// its range. Derivatives are by the coordinates of core/fit/spectra_equations.h and these.
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "core/fit/equation_sums.h"
+#include "core/fit/measured_rows.h"
+#include "core/skin/free_constants.h"
+#include "core/skin/measurement_geometry.h"
+#include "core/skin/skin_model.h"
+#include "core/skin/variable_blood.h"
+#include "core/skin/variable_layers.h"
+
+namespace cutis {
+
+// N: 5 and the number of free constants. Thread-safe: const after construction.
+template <int N>
+class FreeMisfit {
+ public:
+  static constexpr int kCoordinates = N;
+  using Set = Eigen::Array<double, N, 1>;
+
+  // wavelengthsNm: increasing, within the grid. edgeLossPerMm as in SpectralMisfit. The model
+  // outlives the misfit. Errors: those of VariableLayers::make.
+  static Result<FreeMisfit> make(const SkinModel& model, std::span<const double> wavelengthsNm,
+                                 const FreeConstants& free, double edgeLossPerMm,
+                                 const JobContext& context);
+
+  std::size_t wavelengthCount() const { return rows_.rows.size(); }
+  const ParameterAxes& axes() const { return model_->profile().axes; }
+
+  // Between a set and the constants it stands for; what is not free is the profile's.
+  SkinConstants constantsAt(const Set& set) const;
+  Set setAt(const ParameterVector& parameters, const SkinConstants& constants) const;
+
+  // One spectrum a column.
+  Eigen::MatrixXd spectra(std::span<const Set> sets) const;
+  // measured[i]: the spectrum that set i is compared with.
+  std::vector<EquationsOf<N>> equations(std::span<const Set> sets,
+                                        std::span<const double* const> measured) const;
+
+ private:
+  FreeMisfit(const SkinModel& model, MeasuredRows rows, const FreeConstants& free,
+             VariableLayers layers, double edgeLossPerMm);
+
+  // Of all sets at the samples; [sample][set].
+  struct States {
+    std::vector<double> thicknessMm;  // [set]
+    VariableBlood::Values blood;
+    std::vector<double> epidermal, dermal;  // absorption; the dermis's as it acts
+    std::vector<double> edgeSlope;          // of the dermis's acting absorption by its own
+  };
+  States statesOf(std::span<const Set> sets) const;
+
+  const SkinModel* model_;
+  MeasuredRows rows_;
+  int oxygenationAt_, thicknessAt_;  // in a set, or −1
+  ThicknessRange thickness_;
+  double logThicknessRange_ = 0.0;
+  MeasurementGeometry edge_;  // its edge loss alone
+  VariableBlood blood_;
+  VariableLayers layers_;
+  std::vector<double> dermalScattering_;                     // at the samples
+  std::vector<std::array<double, kParameterCount>> slopes_;  // per coordinate, at the samples
+};
+
+extern template class FreeMisfit<kParameterCount + 1>;
+extern template class FreeMisfit<kParameterCount + 2>;
+
+}  // namespace cutis

@@ -1,0 +1,27 @@
+#pragma once
+
+// Measured wavelengths among the samples of the grid: each lies at a sample or between two, where
+// the model is interpolated linearly. Thread-safe: pure functions.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cutis {
+
+// A wavelength between two of the samples, or at one (both the same).
+struct MeasuredRow {
+  std::size_t lower = 0;
+  std::size_t upper = 0;
+  double share = 0.0;  // of the upper
+};
+
+struct MeasuredRows {
+  std::vector<int> samples;       // positions on the grid that are needed, increasing
+  std::vector<MeasuredRow> rows;  // one a wavelength; lower and upper count in `samples`
+};
+
+// wavelengthsNm: increasing, within the grid.
+MeasuredRows measuredRows(std::span<const double> wavelengthsNm);
+
+}  // namespace cutis

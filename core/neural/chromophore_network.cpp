@@ -1,0 +1,189 @@
+#include "core/neural/chromophore_network.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/base/content_hash.h"
+#include "core/base/random.h"
+#include "core/neural/spectra_batch.h"
+#include "core/neural/training_options.h"
+
+namespace cutis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Keeps the noise of a person apart from the draw of the person.
+constexpr std::uint64_t kNoiseStream = std::uint64_t{1} << 40;
+// Standard deviation of a log channel below which a direction is rounding.
+constexpr double kLeastDeviation = 1e-4;
+
+// Photographed channels of one person, with noise.
+void photograph(const NoiseModel& noise, std::uint64_t seed, std::size_t person,
+                Eigen::RowVectorXd& channels) {
+  if (noise.isExact()) return;
+  Random random(seed, kNoiseStream + person);
+  const double level = random.uniform();
+  for (double& y : channels) {
+    y += level * std::hypot(noise.read, noise.proportional * y) * random.normal();
+  }
+}
+
+// Logarithms of the inputs and weights of the components, one person a row.
+struct Photographs {
+  MatrixXd logInputs;
+  Eigen::MatrixXf targets;
+};
+
+Result<Photographs> takePhotographs(const SkinModel& model, const NetworkChannels& channels,
+                                    const SpectraNetwork& spectra,
+                                    const ChromophoreNetworkOptions& options,
+                                    const JobContext& context) {
+  const std::vector<ParameterVector> people =
+      drawTrainingPeople(options.people, model.profile().axes);
+  const auto count = static_cast<Index>(people.size());
+  const Eigen::MatrixXf rows = channels.rows.matrix().transpose().cast<float>();
+  const Eigen::MatrixXf components = spectra.components.cast<float>();
+  const Eigen::RowVectorXf mean = spectra.mean.matrix().transpose().cast<float>();
+  Photographs result = {MatrixXd(count, channels.inputCount()),
+                        Eigen::MatrixXf(count, components.cols())};
+  const SpectraSource source(model);
+  CUTIS_CHECK(
+      source.forEachBlock(people, context, [&](std::size_t first, const SpectraBlock& block) {
+        const auto at = static_cast<Index>(first);
+        result.targets.middleRows(at, block.rows()) = (block.rowwise() - mean) * components;
+        const MatrixXd exact = (block * rows).cast<double>();
+        for (Index i = 0; i < block.rows(); ++i) {
+          Eigen::RowVectorXd seen = exact.row(i);
+          photograph(options.noise, options.people.seed, first + static_cast<std::size_t>(i), seen);
+          if (channels.combination.size() > 0) seen = seen * channels.combination.transpose();
+          result.logInputs.row(at + i) = seen.array().max(kSmallestNetworkChannel).log();
+        }
+      }));
+  return result;
+}
+
+// To uncorrelated inputs of mean 0 and variance 1; directions without variance stay small.
+DenseLayer whitening(const MatrixXd& logInputs) {
+  const Eigen::RowVectorXd mean = logInputs.colwise().mean();
+  const MatrixXd centred = logInputs.rowwise() - mean;
+  const MatrixXd covariance = centred.transpose() * centred / static_cast<double>(logInputs.rows());
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
+  const VectorXd scale =
+      (eigen.eigenvalues().array().max(0.0) + kLeastDeviation * kLeastDeviation).rsqrt();
+  const MatrixXd matrix = scale.asDiagonal() * eigen.eigenvectors().transpose();
+  return linearLayer(matrix, -matrix * mean.transpose());
+}
+
+TrainingSet makeSet(const Photographs& photographs, const DenseLayer& white) {
+  TrainingSet set;
+  set.inputs = white.outputs;
+  set.outputs = static_cast<int>(photographs.targets.cols());
+  set.targetWeights.assign(static_cast<std::size_t>(set.outputs), 1.0f / kSampleCount);
+  const SampleMatrix<double> inputs =
+      evaluate<double>({{white}}, photographs.logInputs.transpose());
+  set.inputRows.resize(static_cast<std::size_t>(inputs.size()));
+  set.targetRows.resize(static_cast<std::size_t>(photographs.targets.size()));
+  Eigen::Map<Eigen::MatrixXf>(set.inputRows.data(), inputs.rows(), inputs.cols()) =
+      inputs.cast<float>();
+  Eigen::Map<Eigen::MatrixXf>(set.targetRows.data(), photographs.targets.cols(),
+                              photographs.targets.rows()) = photographs.targets.transpose();
+  return set;
+}
+
+DenseNetwork freshNetwork(int inputs, const ChromophoreNetworkOptions& options) {
+  std::vector<int> sizes = {inputs};
+  sizes.insert(sizes.end(), options.hidden.begin(), options.hidden.end());
+  sizes.push_back(kParameterCount);
+  return randomNetwork(sizes, options.activation, Activation::sigmoid, options.trainer.seed);
+}
+
+Status checkArguments(const SkinModel& model, const NetworkChannels& channels,
+                      const SpectraNetwork& spectra, const ChromophoreNetworkOptions& options) {
+  const std::string place = "ChromNN";
+  CUTIS_CHECK(
+      validateTraining(options.hidden, options.activation, options.people, options.trainer, place));
+  CUTIS_CHECK(validate(spectra, place));
+  if (spectra.profile != fingerprint(model.profile())) {
+    return inputError(place, "the SpectraNN was trained for another profile; train it anew");
+  }
+  if (channels.inputCount() < 1 || channels.inputCount() > kMaximumUnits) {
+    return inputError(place, "a network takes 1 to " + std::to_string(kMaximumUnits) +
+                                 " channels, not " + std::to_string(channels.inputCount()));
+  }
+  if (channels.combination.size() > 0 && channels.combination.cols() != channels.rows.rows()) {
+    return inputError(place, "the combination of channels does not fit the channels");
+  }
+  return {};
+}
+
+}  // namespace
+
+Status validate(const ChromophoreNetwork& network, const std::string& place) {
+  CUTIS_CHECK(validate(network.network, place));
+  CUTIS_CHECK(validateAxes(network.axes, place));
+  if (network.network.outputs() != kParameterCount ||
+      network.network.layers.back().activation != Activation::sigmoid) {
+    return inputError(place, "the network does not end in a sigmoid for each of five parameters");
+  }
+  return {};
+}
+
+NetworkChannels networkChannels(const Rig& rig) {
+  return {responseRows(rig), {}};
+}
+
+std::string fingerprint(const NetworkChannels& channels) {
+  ContentHash hash;
+  for (const Eigen::MatrixXd& matrix : {MatrixXd(channels.rows), channels.combination}) {
+    hash.add(static_cast<double>(matrix.rows())).add(static_cast<double>(matrix.cols()));
+    for (const double value : matrix.reshaped())
+      hash.add(value);
+  }
+  return hash.digest();
+}
+
+ChromophoreNetworkOptions paperChromophoreNetworkOptions() {
+  ChromophoreNetworkOptions options;
+  options.hidden = {64, 64, 64};
+  options.activation = Activation::sigmoid;
+  options.noise = {0.0, 0.0};
+  options.trainer = {};
+  return options;
+}
+
+Result<ChromophoreNetwork> trainChromophoreNetwork(const SkinModel& model,
+                                                   const NetworkChannels& channels,
+                                                   const SpectraNetwork& spectra,
+                                                   const ChromophoreNetworkOptions& options,
+                                                   TrainingState& state, const JobContext& context,
+                                                   const EpochCallback& onEpoch) {
+  CUTIS_CHECK(checkArguments(model, channels, spectra, options));
+  CUTIS_TRY(photographs,
+            takePhotographs(model, channels, spectra, options, context.child(0.0, 0.1)));
+  const DenseLayer white = whitening(photographs.logInputs);
+  const TrainingSet set = makeSet(photographs, white);
+  const std::size_t trained = options.hidden.size() + 1;
+  if (state.network.layers.empty()) {
+    state.network = joined(freshNetwork(channels.inputCount(), options), merged(spectra.network));
+  }
+  CUTIS_CHECK(
+      trainNetwork(set, {0, trained}, options.trainer, state, context.child(0.1, 1.0), onEpoch));
+
+  ChromophoreNetwork result;
+  result.profile = spectra.profile;
+  result.channels = fingerprint(channels);
+  result.axes = model.profile().axes;
+  DenseNetwork network;
+  network.layers.push_back(white);
+  network.layers.insert(network.layers.end(), state.best.layers.begin(),
+                        state.best.layers.begin() + static_cast<std::ptrdiff_t>(trained));
+  result.network = merged(network);
+  return result;
+}
+
+}  // namespace cutis

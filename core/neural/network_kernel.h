@@ -1,0 +1,53 @@
+#pragma once
+
+// Vectorised passes through networks for many pixels: the inner part of
+// core/neural/network_pipeline.cpp. Plain data.
+//
+// kSampleStep pixels go through all layers while they are in the first cache. One pixel a lane; a
+// result depends on its own pixel alone. An input that is not finite makes all outputs of its pixel
+// NaN.
+
+#include <cstddef>
+
+#include "core/neural/layer_kernel.h"
+#include "core/skin/parameter.h"
+
+namespace cutis {
+
+// A parameter's axis: value = maximum · coordinate^exponent.
+struct KernelAxis {
+  float maximum;
+  float inverseMaximum;
+  int exponent;  // 1 to 3
+};
+
+struct NetworkPass {
+  // From logarithms of channels to coordinates of parameters; none where the inputs are parameters.
+  const KernelLayer* encoder = nullptr;
+  std::size_t encoderLayers = 0;
+  // From coordinates to the rows asked for; none where only parameters are.
+  const KernelLayer* decoder = nullptr;
+  std::size_t decoderLayers = 0;
+  KernelAxis axes[kParameterCount] = {};
+  float smallestChannel = 0.0f;  // channels below count as this
+
+  std::size_t inputCount = 0;
+  std::size_t outputCount = 0;  // of the decoder
+  std::size_t widest = 0;       // units of the widest layer, inputs and outputs included
+};
+
+// Planes of `count` pixels.
+struct NetworkPixels {
+  std::size_t count = 0;
+  const float* const* inputs = nullptr;
+  float* const* parameters = nullptr;  // may be null: nobody asks for them
+  float* const* outputs = nullptr;     // may be null where there is no decoder
+};
+
+// Floats of scratch that a pass needs.
+std::size_t networkScratchSize(const NetworkPass& pass);
+
+// scratch: aligned as in core/neural/aligned_floats.h, or slower.
+void runNetworkKernel(const NetworkPass& pass, const NetworkPixels& pixels, float* scratch);
+
+}  // namespace cutis

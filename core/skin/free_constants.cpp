@@ -1,0 +1,41 @@
+#include "core/skin/free_constants.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/skin/absorption.h"
+
+namespace cutis {
+
+SkinConstants constantsOf(const Profile& profile) {
+  return {profile.dermalBlood.oxygenation, profile.epidermalThicknessMm};
+}
+
+double epidermalOxygenation(const Profile& profile, double dermalOxygenation) {
+  const double own = profile.dermalBlood.oxygenation;
+  // To the bit where nothing is moved.
+  if (dermalOxygenation == own) return profile.epidermalBlood.oxygenation;
+  return std::clamp(dermalOxygenation + (profile.epidermalBlood.oxygenation - own), 0.0, 1.0);
+}
+
+Profile withConstants(const Profile& profile, const SkinConstants& constants) {
+  Profile changed = profile;
+  changed.epidermalBlood.oxygenation = epidermalOxygenation(profile, constants.oxygenation);
+  changed.dermalBlood.oxygenation = constants.oxygenation;
+  changed.epidermalThicknessMm = constants.thicknessMm;
+  return changed;
+}
+
+Result<ThicknessRange> thicknessRange(const Profile& profile) {
+  ThicknessRange range;
+  if (profile.layerOptics == LayerOpticsKind::diffusion) {
+    range.lowMm = std::max(range.lowMm, longestPathMm(profile));
+  }
+  const double own = profile.epidermalThicknessMm;
+  if (own >= range.lowMm && own <= range.highMm) return range;
+  return inputError(profile.name, "its epidermis of " + std::to_string(own) +
+                                      " mm lies outside 0.02 to 0.5 mm, where a thickness can be "
+                                      "looked for; keep the thickness of this profile");
+}
+
+}  // namespace cutis

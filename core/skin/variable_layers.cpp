@@ -1,0 +1,164 @@
+#include "core/skin/variable_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "core/skin/absorption.h"
+#include "core/skin/diffusion.h"
+#include "core/skin/layer_table.h"
+#include "core/skin/layer_table_batch.h"
+
+namespace cutis {
+namespace {
+
+constexpr double kMatchedFactor = 1.0;
+// Where absorptions are looked at to find what any oxygenation spans.
+constexpr double kOxygenations[] = {0.0, 0.25, 0.5, 0.75, 1.0};
+
+void include(AbsorptionRange& range, const AbsorptionRange& other) {
+  range.low = std::min(range.low, other.low);
+  range.high = std::max(range.high, other.high);
+}
+
+std::vector<TwoLayers> layersOver(const Profile& profile, std::span<const int> samples,
+                                  bool anyOxygenation) {
+  std::vector<TwoLayers> layers = layersOf(profile, samples);
+  if (!anyOxygenation) return layers;
+  for (const double oxygenation : kOxygenations) {
+    const std::vector<TwoLayers> others =
+        layersOf(withConstants(profile, {oxygenation, profile.epidermalThicknessMm}), samples);
+    for (std::size_t s = 0; s < layers.size(); ++s) {
+      include(layers[s].epidermalRange, others[s].epidermalRange);
+      include(layers[s].dermalRange, others[s].dermalRange);
+    }
+  }
+  return layers;
+}
+
+std::vector<double> atSamples(const Spectrum& spectrum, std::span<const int> samples) {
+  std::vector<double> values;
+  for (const int sample : samples)
+    values.push_back(spectrum[sample]);
+  return values;
+}
+
+}  // namespace
+
+VariableLayers::VariableLayers(const Profile& profile, std::span<const int> samples,
+                               ChebyshevWeights weights)
+    : ownThicknessMm_(profile.epidermalThicknessMm),
+      airFactor_(boundaryFactor(profile.refractiveIndex)),
+      epidermalScattering_(atSamples(epidermalScattering(profile), samples)),
+      dermalScattering_(atSamples(dermalScattering(profile), samples)),
+      ofThickness_(std::move(weights)) {}
+
+Result<VariableLayers> VariableLayers::make(const Profile& profile, std::span<const int> samples,
+                                            const FreeConstants& free, const JobContext& context) {
+  ThicknessRange range = {profile.epidermalThicknessMm, profile.epidermalThicknessMm};
+  if (free.thickness) {
+    CUTIS_TRY(found, thicknessRange(profile));
+    range = found;
+  }
+  VariableLayers layers(profile, samples,
+                        ChebyshevWeights(std::log(range.lowMm), std::log(range.highMm),
+                                         free.thickness ? kThicknessPoints : 1));
+  layers.free_ = free.thickness;
+  if (profile.layerOptics == LayerOpticsKind::diffusion) return layers;
+  std::vector<TwoLayers> wanted = layersOver(profile, samples, free.oxygenation);
+  for (int k = 0; k < layers.ofThickness_.count(); ++k) {
+    for (TwoLayers& own : wanted)
+      own.thickness = std::exp(layers.ofThickness_.points()[static_cast<std::size_t>(k)]);
+    const auto parts = static_cast<double>(layers.ofThickness_.count());
+    CUTIS_TRY(tables, fitLayers(profile, samples, wanted, {},
+                                context.child(k / parts, (k + 1) / parts, "")));
+    layers.tables_.insert(layers.tables_.end(), tables.begin(), tables.end());
+  }
+  return layers;
+}
+
+LayerSpectra VariableLayers::evaluate(const LayerStates& states, bool derivatives) const {
+  LayerSpectra spectra;
+  const std::size_t size = epidermalScattering_.size() * states.count;
+  spectra.reflectance.resize(size);
+  if (derivatives) {
+    spectra.perEpidermalAbsorption.resize(size);
+    spectra.perDermalAbsorption.resize(size);
+    spectra.perThickness.resize(size);
+  }
+  if (tables_.empty()) {
+    diffuse(states, spectra);
+  } else {
+    transfer(states, spectra);
+  }
+  return spectra;
+}
+
+void VariableLayers::diffuse(const LayerStates& states, LayerSpectra& spectra) const {
+  for (std::size_t at = 0; at < spectra.reflectance.size(); ++at) {
+    const std::size_t s = at / states.count;
+    const double thickness = free_ ? states.thicknessMm[at % states.count] : ownThicknessMm_;
+    const double epidermal = states.epidermalAbsorption[at];
+    const double dermal = states.dermalAbsorption[at];
+    const auto slab = [&](const auto& absorption, const auto& depth) {
+      return slabOptics(absorption, epidermalScattering_[s], depth, airFactor_, kMatchedFactor);
+    };
+    const Dual below =
+        halfSpaceReflectance(Dual(dermal, 1.0), dermalScattering_[s], kMatchedFactor);
+    const Dual overDermal = addedReflectance(slab(Dual(epidermal), thickness), below);
+    spectra.reflectance[at] = overDermal.value;
+    if (spectra.perThickness.empty()) continue;
+    const Dual still(below.value);
+    spectra.perDermalAbsorption[at] = overDermal.slope;
+    spectra.perEpidermalAbsorption[at] =
+        addedReflectance(slab(Dual(epidermal, 1.0), thickness), still).slope;
+    spectra.perThickness[at] =
+        addedReflectance(slab(Dual(epidermal), Dual(thickness, 1.0)), still).slope;
+  }
+}
+
+void VariableLayers::transfer(const LayerStates& states, LayerSpectra& spectra) const {
+  const std::size_t count = states.count, sampleCount = epidermalScattering_.size();
+  const bool derivatives = !spectra.perThickness.empty();
+  const auto points = static_cast<std::size_t>(ofThickness_.count());
+  std::vector<double> weights(points * count), slopes(points * count);  // [point][skin]
+  for (std::size_t i = 0; i < count; ++i) {
+    const double thickness = free_ ? states.thicknessMm[i] : ownThicknessMm_;
+    const ChebyshevWeights::At own = ofThickness_.at(std::log(thickness));
+    for (std::size_t k = 0; k < points; ++k) {
+      weights[k * count + i] = own.weights[static_cast<Eigen::Index>(k)];
+      slopes[k * count + i] = own.slopes[static_cast<Eigen::Index>(k)] / thickness;
+    }
+  }
+  std::vector<double> reflectance(count), perEpidermal(count), perDermal(count);
+  LayerTableBatch<double> batch;
+  batch.count = count;
+  batch.reflectance = reflectance.data();
+  if (derivatives) {
+    batch.perEpidermalAbsorption = perEpidermal.data();
+    batch.perDermalAbsorption = perDermal.data();
+  }
+  for (std::size_t s = 0; s < sampleCount; ++s) {
+    batch.epidermalAbsorption = states.epidermalAbsorption + s * count;
+    batch.dermalAbsorption = states.dermalAbsorption + s * count;
+    for (std::size_t k = 0; k < points; ++k) {
+      evaluateBatch(tables_[k * sampleCount + s], batch);
+      const auto addTo = [&](std::vector<double>& sums, const std::vector<double>& shares,
+                             const std::vector<double>& values) {
+        double* sum = sums.data() + s * count;
+        const double* share = shares.data() + k * count;
+        for (std::size_t i = 0; i < count; ++i)
+          sum[i] += share[i] * values[i];
+      };
+      addTo(spectra.reflectance, weights, reflectance);
+      if (!derivatives) continue;
+      addTo(spectra.perEpidermalAbsorption, weights, perEpidermal);
+      addTo(spectra.perDermalAbsorption, weights, perDermal);
+      addTo(spectra.perThickness, slopes, reflectance);
+    }
+  }
+}
+
+}  // namespace cutis

@@ -1,0 +1,25 @@
+#pragma once
+
+// What the tests of networks share: a basis from a part of the table, and small trained networks.
+
+#include "core/neural/chromophore_network.h"
+#include "core/neural/spectra_network.h"
+
+namespace cutis::test {
+
+// Of li2024, every 97th entry of its table.
+const SpectraBasis& sampledBasis();
+
+// A few seconds' worth of training: errors some ten times those of the defaults.
+SpectraNetworkOptions quickSpectraOptions();
+ChromophoreNetworkOptions quickChromophoreOptions();
+
+// Trained with the quick options, for the monitor rig.
+const SpectraNetwork& quickSpectraNetwork();
+const ChromophoreNetwork& quickChromophoreNetwork();
+
+// Planes of a matrix with one pixel a row.
+std::vector<const float*> planesOf(const Eigen::MatrixXf& pixels);
+std::vector<float*> planesOf(Eigen::MatrixXf& pixels);
+
+}  // namespace cutis::test
