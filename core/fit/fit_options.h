@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "core/base/plane.h"
@@ -9,7 +10,9 @@
 
 namespace cutis {
 
-enum class FitMethod { refined, threeStage, fullSearch };
+struct ChromophoreNetwork;
+
+enum class FitMethod { refined, threeStage, fullSearch, network };
 
 struct FitOptions {
   FitMethod method = FitMethod::refined;
@@ -24,6 +27,8 @@ struct FitOptions {
   bool deviations = false;  // posterior standard deviations per parameter (refined only)
   bool residuals = false;   // measured minus modelled per channel
   PixelFormat mapFormat = PixelFormat::float32;
+  // What encodes (network only); none: the one that is built in for rig and profile.
+  std::shared_ptr<const ChromophoreNetwork> network;
 };
 
 }  // namespace cutis

@@ -3,9 +3,11 @@
 #include <utility>
 
 #include "core/base/content_hash.h"
+#include "core/fit/network_solver.h"
 #include "core/fit/refined_solver.h"
 #include "core/fit/search_solver.h"
 #include "src/files/layer_table_cache.h"
+#include "src/files/network_file.h"
 #include "src/files/profile_file.h"
 #include "src/files/spectral_library.h"
 #include "src/files/table_cache.h"
@@ -15,6 +17,33 @@ namespace {
 
 // Simulated faces that decide what the first stage of the three-stage search holds fixed.
 constexpr int kTrainingPopulation = 1000;
+
+Result<ChromophoreNetwork> builtInNetwork(const Profile& profile, const Rig& rig) {
+  const std::string wantedProfile = fingerprint(profile);
+  const std::string wantedChannels = fingerprint(networkChannels(rig));
+  for (const std::string& name : builtInNetworkNames()) {
+    CUTIS_TRY(file, builtInNetworks(name));
+    if (file.chromophores.profile == wantedProfile && file.chromophores.channels == wantedChannels)
+      return std::move(file.chromophores);
+  }
+  return inputError("--method", "no network is built in for rig '" + rig.name +
+                                    "' with these lights and profile '" + profile.name +
+                                    "'; train one with " + trainingCommand(profile, rig) +
+                                    " and give it with --weights");
+}
+
+Result<std::shared_ptr<const PixelSolver>> networkSolver(const SkinModel& model, const Rig& rig,
+                                                         const FitOptions& options) {
+  std::shared_ptr<const ChromophoreNetwork> network = options.network;
+  if (network == nullptr) {
+    CUTIS_TRY(found, builtInNetwork(model.profile(), rig));
+    network = std::make_shared<const ChromophoreNetwork>(std::move(found));
+  } else {
+    CUTIS_CHECK(checkNetworkMatches(*network, model.profile(), rig, "--weights"));
+  }
+  return std::shared_ptr<const PixelSolver>(
+      makeNetworkSolver(*network, std::make_shared<const ResponseModel>(model, responseRows(rig))));
+}
 
 }  // namespace
 
@@ -58,6 +87,7 @@ Result<std::shared_ptr<const PixelSolver>> Engine::solver(
   if (options.method == FitMethod::refined) {
     return std::shared_ptr<const PixelSolver>(makeRefinedSolver(model, rig, options));
   }
+  if (options.method == FitMethod::network) return networkSolver(*model, rig, options);
   CUTIS_TRY(search, tableSearch(*model, rig, context.child(0.0, 0.8, "table of skin")));
   auto channels = std::make_shared<const ResponseModel>(*model, responseRows(rig));
   if (options.method == FitMethod::fullSearch) {

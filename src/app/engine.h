@@ -37,6 +37,9 @@ class Engine {
   Result<std::shared_ptr<const SkinModel>> modelFromText(const std::string& text,
                                                          const std::string& place);
 
+  // The method network takes the network of the options, or else the one that travels inside the
+  // program for the rig and the profile; fails with the command that trains one if it is of another
+  // rig or profile, or there is none.
   Result<std::shared_ptr<const PixelSolver>> solver(const std::shared_ptr<const SkinModel>& model,
                                                     const Rig& rig, const FitOptions& options,
                                                     const JobContext& context);

@@ -10,7 +10,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::array<std::string_view, 3> kLaterCommands = {"measure", "export", "train"};
+constexpr std::array<std::string_view, 2> kLaterCommands = {"measure", "export"};
 
 struct LaterOption {
   std::string_view command;

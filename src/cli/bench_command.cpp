@@ -139,7 +139,7 @@ Status runBenchCommand(const BenchCommand& command, Session& session) {
     extent.pixels = pixels;
   }
   CUTIS_CHECK(checkOutputs(command));
-  const std::string profile = command.profile.empty() ? kDefaultProfile : command.profile;
+  const std::string profile = command.profile.empty() ? kPaperProfile : command.profile;
   CUTIS_TRY(model, session.engine.model(profile, "--profile"));
   CUTIS_CHECK(checkRanges(model->profile()));
   CUTIS_TRY(rig, loadRig(kRig, {}, "--rig"));

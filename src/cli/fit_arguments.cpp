@@ -5,6 +5,7 @@
 
 #include "core/fit/shading.h"
 #include "src/files/csv.h"
+#include "src/files/network_file.h"
 #include "src/files/profile_file.h"
 #include "src/files/suggestion.h"
 
@@ -15,10 +16,11 @@ constexpr double kLeastExposure = 1e-6;
 constexpr double kMostExposure = 1e6;
 constexpr double kMostNoise = 1.0;
 
-constexpr std::array<std::pair<const char*, FitMethod>, 3> kMethods = {
+constexpr std::array<std::pair<const char*, FitMethod>, 4> kMethods = {
     {{"refined", FitMethod::refined},
      {"three-stage", FitMethod::threeStage},
-     {"full-search", FitMethod::fullSearch}}};
+     {"full-search", FitMethod::fullSearch},
+     {"network", FitMethod::network}}};
 
 Result<FitMethod> methodNamed(const std::string& name) {
   std::vector<std::string> known;
@@ -26,12 +28,14 @@ Result<FitMethod> methodNamed(const std::string& name) {
     if (name == knownName) return method;
     known.emplace_back(knownName);
   }
-  if (name == "network") return usageError("--method", "network is not in this version");
   return usageError("--method", "unknown method '" + name + "'; " + suggestName(name, known));
 }
 
-// The table searches know neither a prior nor parameters that are held.
+// The other methods know neither a prior nor parameters that are held.
 Status checkMethodOptions(const FitArguments& arguments, FitMethod method) {
+  if (!arguments.weights.empty() && method != FitMethod::network) {
+    return usageError("--weights", "only the method network takes this; leave it out");
+  }
   if (method == FitMethod::refined) return {};
   for (const auto& [option, given] : {std::pair{"--prior", !arguments.prior.empty()},
                                       {"--fix", !arguments.fixed.empty()},
@@ -58,11 +62,12 @@ void addFitArguments(CLI::App& command, FitArguments& arguments) {
   command
       .add_option("--method", arguments.method,
                   "refined (default): exact physics, most probable values; three-stage and "
-                  "full-search: nearest entry of the table of skin")
+                  "full-search: nearest entry of the table of skin; network: what a trained "
+                  "network answers, the fastest")
       ->type_name("METHOD");
   command
       .add_option("--profile", arguments.profile,
-                  "Skin model: a built-in name or a JSON file (default: li2024)")
+                  "Skin model: a built-in name or a JSON file (default: skin2026)")
       ->type_name("NAME|FILE");
   command
       .add_option("--rig", arguments.rig,
@@ -97,6 +102,11 @@ void addFitArguments(CLI::App& command, FitArguments& arguments) {
   command.add_flag("--shading", arguments.shading,
                    "Estimate one more factor per pixel on all channels, for photographs that are "
                    "not pure albedo; fit writes it beside the maps");
+  command
+      .add_option("--weights", arguments.weights,
+                  "Networks that train has written, for the method network (default: those built "
+                  "in for the rig and the profile)")
+      ->type_name("FILE");
 }
 
 std::string firstGiven(const FitArguments& arguments) {
@@ -106,7 +116,8 @@ std::string firstGiven(const FitArguments& arguments) {
                                      {"--lights", arguments.lights},
                                      {"--exposure", arguments.exposure},
                                      {"--noise", arguments.noise},
-                                     {"--prior", arguments.prior}}) {
+                                     {"--prior", arguments.prior},
+                                     {"--weights", arguments.weights}}) {
     if (!text.empty()) return option;
   }
   if (!arguments.fixed.empty()) return "--fix";
@@ -128,6 +139,7 @@ Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
     request.options.noise = NoiseModel{noise[0], noise[1]};
   }
   request.priorFile = arguments.prior;
+  request.weightsFile = arguments.weights;
   if (arguments.shading) request.options.shading = kUsualShadingDeviation;
   for (const std::string& text : arguments.fixed) {
     CUTIS_TRY(fixed, assignment("--fix", text));
@@ -156,11 +168,16 @@ Status completeFitOptions(const FitRequest& request, const Profile& profile, Fit
     CUTIS_TRY(prior, readPrior(request.priorFile, profile.prior));
     options.prior = prior;
   }
+  if (!request.weightsFile.empty()) {
+    CUTIS_TRY(networks, readNetworks(request.weightsFile));
+    options.network = std::make_shared<const ChromophoreNetwork>(std::move(networks.chromophores));
+  }
   return {};
 }
 
 std::vector<std::string> filesRead(const FitRequest& request) {
-  return {request.profile, request.source.rig, request.source.mask.string(), request.priorFile};
+  return {request.profile, request.source.rig, request.source.mask.string(), request.priorFile,
+          request.weightsFile};
 }
 
 }  // namespace cutis

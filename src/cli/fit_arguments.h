@@ -27,6 +27,7 @@ struct FitArguments {
   std::string prior;
   std::vector<std::string> fixed;
   bool shading = false;
+  std::string weights;
 };
 
 void addFitArguments(CLI::App& command, FitArguments& arguments);
@@ -43,10 +44,11 @@ struct FitRequest {
   FitOptions options;
   std::string priorFile;
   std::vector<Assignment> fixed;
+  std::string weightsFile;
 };
 Result<FitRequest> parseFitArguments(const FitArguments& arguments);
 
-// Adds the prior and the fixed parameters, both checked against the profile.
+// Adds the prior and the fixed parameters, both checked against the profile, and the network.
 Status completeFitOptions(const FitRequest& request, const Profile& profile, FitOptions& options);
 
 // Files that a fit reads beside its source.

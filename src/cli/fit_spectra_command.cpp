@@ -138,7 +138,7 @@ void addFitSpectraCommand(CLI::App& app, Invocation& invocation) {
       ->type_name("FROM:TO");
   command
       .add_option("--profile", options->profile,
-                  "Skin model: a built-in name or a JSON file (default: li2024)")
+                  "Skin model: a built-in name or a JSON file (default: skin2026)")
       ->type_name("NAME|FILE");
   command
       .add_option("--free", options->free,

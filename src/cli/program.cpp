@@ -61,8 +61,8 @@ std::unique_ptr<CLI::App> makeCommandLine(Invocation& invocation) {
   app->require_subcommand(1);
   for (const auto add : {addFitCommand, addEditCommand, addRenderCommand, addApplyCommand,
                          addSpectrumCommand, addFitSpectraCommand, addSimulateCommand,
-                         addValidateCommand, addCalibrateProfileCommand, addRigCommand,
-                         addBenchCommand, addInfoCommand}) {
+                         addValidateCommand, addCalibrateProfileCommand, addTrainCommand,
+                         addRigCommand, addBenchCommand, addInfoCommand}) {
     add(*app, invocation);
   }
   return app;

@@ -157,7 +157,7 @@ void addSimulateCommand(CLI::App& app, Invocation& invocation) {
   option("--seed", options->seed, "N",
          "Another number gives other noise and another patch (default: 1, or the recipe's)");
   option("--profile", options->profile, "NAME|FILE",
-         "Skin model: a built-in name or a JSON file (default: li2024; maps carry their own)");
+         "Skin model: a built-in name or a JSON file (default: skin2026; maps carry their own)");
   command.add_option("-o,--output", options->output, "Folder of the capture to write")
       ->required()
       ->type_name("FOLDER");

@@ -87,7 +87,7 @@ void addSpectrumCommand(CLI::App& app, Invocation& invocation) {
       ->type_name("FILE");
   command
       .add_option("--profile", options->profile,
-                  "Skin model: a built-in name or a JSON file (default: li2024)")
+                  "Skin model: a built-in name or a JSON file (default: skin2026)")
       ->type_name("NAME|FILE");
   addMeasurementOptions(command, options->measurement);
 }

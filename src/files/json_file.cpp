@@ -97,6 +97,24 @@ Result<std::vector<JsonValue>> JsonValue::array(const std::string& key) const {
   return elements;
 }
 
+Result<std::vector<double>> JsonValue::asNumbers(std::size_t count) const {
+  const std::string demand = "a list of " + std::to_string(count) + " finite numbers";
+  if (!node_->is_array() || node_->size() != count) return error(demand);
+  std::vector<double> numbers;
+  numbers.reserve(count);
+  for (const json& element : *node_) {
+    if (!element.is_number() || !std::isfinite(element.get<double>())) return error(demand);
+    numbers.push_back(element.get<double>());
+  }
+  return numbers;
+}
+
+Result<JsonValue> JsonValue::list(const std::string& key) const {
+  const json* field = find(key);
+  if (field == nullptr || !field->is_array()) return error(key, "a list");
+  return child(*field, pathOf(key));
+}
+
 Result<double> JsonValue::asNumber() const {
   if (!node_->is_number() || !std::isfinite(node_->get<double>())) return error("a finite number");
   return node_->get<double>();

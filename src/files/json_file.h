@@ -2,6 +2,7 @@
 
 // JSON with errors that say where: file:line:column for syntax, file: field for content.
 
+#include <cstddef>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -30,13 +31,16 @@ class JsonValue {
   Result<JsonValue> object(const std::string& key) const;
   // Elements of an array field.
   Result<std::vector<JsonValue>> array(const std::string& key) const;
+  // The array itself, for asNumbers().
+  Result<JsonValue> list(const std::string& key) const;
   Result<double> number(const std::string& key) const;  // finite
   Result<double> number(const std::string& key, double fallback) const;
   Result<int> integer(const std::string& key) const;
   Result<std::string> text(const std::string& key) const;
   Result<std::string> text(const std::string& key, const std::string& fallback) const;
 
-  // This value itself, as a finite number or as a text.
+  // This value itself, as exactly `count` finite numbers, a finite number or a text.
+  Result<std::vector<double>> asNumbers(std::size_t count) const;
   Result<double> asNumber() const;
   Result<std::string> asText() const;
 

@@ -21,9 +21,9 @@
 namespace cutis {
 namespace {
 
-const Profile& skin2026() {
+const Profile& twoLayers() {
   static const Profile profile =
-      loadProfile(CUTIS_SOURCE_DIR "/resources/profiles/skin2026.json", "test").value();
+      loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test").value();
   return profile;
 }
 
@@ -66,12 +66,12 @@ class VariableLayersTest : public QObject {
  private Q_SLOTS:
   void transferIsThatOfATableForTheThickness() {
     const auto samples = someSamples();
-    const VariableLayers layers = VariableLayers::make(skin2026(), samples, {true, true}).value();
+    const VariableLayers layers = VariableLayers::make(twoLayers(), samples, {true, true}).value();
     for (const SkinConstants& constants :
          {SkinConstants{0.6, 0.02}, SkinConstants{0.0, 0.035}, SkinConstants{1.0, 0.06},
           SkinConstants{0.6, 0.093}, SkinConstants{0.3, 0.17}, SkinConstants{0.8, 0.25},
           SkinConstants{0.0, 0.36}, SkinConstants{1.0, 0.5}}) {
-      const Profile profile = withConstants(skin2026(), constants);
+      const Profile profile = withConstants(twoLayers(), constants);
       const LayerTable table = LayerTable::make(profile, samples).value();
       const States given(profile, constants.thicknessMm, 400);
       const LayerSpectra spectra = layers.evaluate(given.states(), false);
@@ -108,7 +108,7 @@ class VariableLayersTest : public QObject {
 
   void slopesAreThoseOfTheReflectance() {
     const auto samples = someSamples();
-    for (const Profile& profile : {skin2026(), li2024()}) {
+    for (const Profile& profile : {twoLayers(), li2024()}) {
       const VariableLayers layers = VariableLayers::make(profile, samples, {false, true}).value();
       const double thickness = 0.31, step = 1e-5;
       const States given(profile, thickness, 100);
@@ -140,9 +140,9 @@ class VariableLayersTest : public QObject {
 
   void aFixedThicknessIsTheProfiles() {
     const auto samples = someSamples();
-    const VariableLayers layers = VariableLayers::make(skin2026(), samples, {}).value();
-    const LayerTable table = LayerTable::make(skin2026(), samples).value();
-    const States given(skin2026(), 0.4, 50);
+    const VariableLayers layers = VariableLayers::make(twoLayers(), samples, {}).value();
+    const LayerTable table = LayerTable::make(twoLayers(), samples).value();
+    const States given(twoLayers(), 0.4, 50);
     const LayerSpectra spectra = layers.evaluate(given.states(), false);
     for (std::size_t at = 0; at < spectra.reflectance.size(); ++at) {
       EXPECT_NEAR(
@@ -154,7 +154,7 @@ class VariableLayersTest : public QObject {
 
   void bloodIsThatOfTheOxygenation() {
     const auto samples = someSamples();
-    for (const Profile& profile : {skin2026(), li2024()}) {
+    for (const Profile& profile : {twoLayers(), li2024()}) {
       const VariableBlood blood(profile, samples, true);
       for (double oxygenation = 0.0; oxygenation <= 1.0; oxygenation += 0.0625) {
         const Profile exact = withConstants(profile, {oxygenation, 0.3});
@@ -179,27 +179,27 @@ class VariableLayersTest : public QObject {
   }
 
   void oxygenationsMoveTogetherWithinTheirRange() {
-    QCOMPARE(withConstants(skin2026(), {0.5, 0.1}).dermalBlood.oxygenation, 0.5);
-    EXPECT_NEAR(withConstants(skin2026(), {0.5, 0.1}).epidermalBlood.oxygenation, 0.6, 1e-12);
-    QCOMPARE(withConstants(skin2026(), {0.97, 0.1}).epidermalBlood.oxygenation, 1.0);
-    const Profile same = withConstants(skin2026(), constantsOf(skin2026()));
-    QCOMPARE(fingerprint(same), fingerprint(skin2026()));
+    QCOMPARE(withConstants(twoLayers(), {0.5, 0.1}).dermalBlood.oxygenation, 0.5);
+    EXPECT_NEAR(withConstants(twoLayers(), {0.5, 0.1}).epidermalBlood.oxygenation, 0.6, 1e-12);
+    QCOMPARE(withConstants(twoLayers(), {0.97, 0.1}).epidermalBlood.oxygenation, 1.0);
+    const Profile same = withConstants(twoLayers(), constantsOf(twoLayers()));
+    QCOMPARE(fingerprint(same), fingerprint(twoLayers()));
   }
 
   void whatIsFoundIsAValidProfile() {
-    for (const Profile& profile : {skin2026(), li2024()}) {
+    for (const Profile& profile : {twoLayers(), li2024()}) {
       const ThicknessRange range = thicknessRange(profile).value();
       for (const double thickness : {range.lowMm, range.highMm}) {
         for (const double oxygenation : {0.0, 1.0})
           EXPECT_OK(validate(withConstants(profile, {oxygenation, thickness}), "test"));
       }
     }
-    QCOMPARE(thicknessRange(skin2026()).value().lowMm, 0.02);
+    QCOMPARE(thicknessRange(twoLayers()).value().lowMm, 0.02);
     QVERIFY(thicknessRange(li2024()).value().lowMm > 0.25);
   }
 
   void aProfileBeyondTheRangeKeepsItsThickness() {
-    Profile thick = skin2026();
+    Profile thick = twoLayers();
     thick.epidermalThicknessMm = 0.8;
     EXPECT_ERROR(VariableLayers::make(thick, someSamples(), {false, true}),
                  "keep the thickness of this profile");

@@ -31,8 +31,8 @@ std::string parametersOfPeople() {
     const double share = (i + 0.5) / 16.0;
     const double other = (i * 7 % 16 + 0.5) / 16.0;
     text += std::to_string(0.01 + 0.2 * share) + "," + std::to_string(0.3 + 0.6 * other) + "," +
-            std::to_string(0.01 + 0.06 * (1.0 - other)) + "," + std::to_string(0.01 + 0.03 * share) +
-            "," + std::to_string(0.0005 + 0.002 * other) + "\n";
+            std::to_string(0.01 + 0.06 * (1.0 - other)) + "," +
+            std::to_string(0.01 + 0.03 * share) + "," + std::to_string(0.0005 + 0.002 * other) + "\n";
   }
   return text;
 }

@@ -6,7 +6,9 @@
 
 #include "core/edit/edit_stack.h"
 #include "core/render/relight.h"
+#include "core/skin/skin_model.h"
 #include "src/app/picture_request.h"
+#include "src/files/profile_file.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -32,9 +34,15 @@ std::vector<ParameterVector> parametersOf(const ChromophoreMaps& maps) {
   return pixels;
 }
 
+const SkinModel& usualModel() {
+  static const auto model =
+      SkinModel::create(loadProfile(kDefaultProfile, "test").value()).value();
+  return *model;
+}
+
 // The full-resolution integral, one value per row.
 Eigen::VectorXd seen(const SpectrumRows& rows, const ParameterVector& skin) {
-  return rows.matrix() * li2024().reflectance(skin).matrix();
+  return rows.matrix() * usualModel().reflectance(skin).matrix();
 }
 
 SpectrumRows rowsOf(const PictureRequest& request) {
@@ -57,7 +65,7 @@ class ChainTest : public QObject {
     }
     const MapsFile truth = run_.maps("cap/maps.exr");
     QCOMPARE(truth.attributes.method, std::string("ground truth"));
-    QCOMPARE(truth.attributes.profileName, std::string("li2024"));
+    QCOMPARE(truth.attributes.profileName, std::string(kDefaultProfile));
     QVERIFY(!truth.attributes.profileJson.empty());
     const std::vector<ParameterVector> skin = parametersOf(truth.maps);
     const std::vector<float> states = valuesOf(truth.maps.state);
@@ -83,18 +91,20 @@ class ChainTest : public QObject {
     int count = 0;
     for (std::size_t i = 0; i < kPixels; i += 11) {
       if (states[i] != 0.0f) continue;
-      const Spectrum error = li2024().reflectance(found[i]) - li2024().reflectance(truth[i]);
+      const Spectrum error =
+          usualModel().reflectance(found[i]) - usualModel().reflectance(truth[i]);
       sum += error.segment(kVisibleBand.first, kVisibleBand.count()).square().mean();
       ++count;
     }
     QVERIFY(count > 300);
-    EXPECT_AT_MOST(sum / count, 1e-5);
+    // Noise is assumed, and the least that it leaves of so light a skin is about this.
+    EXPECT_AT_MOST(sum / count, 1e-4);
   }
 
   void reportCountsWhatWasDone() {
     const auto report = nlohmann::json::parse(run_.read("report.json"));
     QCOMPARE(report["method"].get<std::string>(), std::string("refined"));
-    QCOMPARE(report["profile"].get<std::string>(), std::string("li2024"));
+    QCOMPARE(report["profile"].get<std::string>(), std::string(kDefaultProfile));
     QCOMPARE(report["width"].get<int>(), kWidth);
     QCOMPARE(report["height"].get<int>(), kHeight);
     const auto& pixels = report["pixels"];
@@ -110,7 +120,7 @@ class ChainTest : public QObject {
     for (const char* stage : {"load", "prepare", "fit", "write"}) {
       QVERIFY(report["seconds"][stage].get<double>() > 0.0);
     }
-    EXPECT_AT_MOST(report["residual"]["p95"].get<double>(), 1e-3);
+    EXPECT_AT_MOST(report["residual"]["p95"].get<double>(), 1.5e-3);
     QVERIFY(report["iterations"]["mean"].get<double>() <=
             report["iterations"]["max"].get<double>());
     QVERIFY(report["nodes"].get<int>() >= 8);
@@ -129,7 +139,7 @@ class ChainTest : public QObject {
     const auto before = parametersOf(run_.maps("cap/maps.exr").maps);
     const auto after = parametersOf(edited.maps);
     const std::vector<float> states = valuesOf(edited.maps.state);
-    const ParameterAxes& axes = li2024().profile().axes;
+    const ParameterAxes& axes = usualModel().profile().axes;
     const auto expected = [&](const ParameterVector& c, int k) -> double {
       switch (k) {
         case kMelanin:
@@ -230,7 +240,7 @@ class ChainTest : public QObject {
   void infoTellsWhatIsInTheFiles() {
     const Outcome maps = run_.run("info maps.exr");
     EXPECT_DONE(maps);
-    for (const char* part : {"kind: chromophore maps", "size: 96 × 64", "profile: li2024",
+    for (const char* part : {"kind: chromophore maps", "size: 96 × 64", "profile: skin2026",
                              "rig: monitor", "method: refined", "melanin: median 0.0"}) {
       QVERIFY2(maps.output.find(part) != std::string::npos, maps.output.c_str());
     }

@@ -56,7 +56,7 @@ class FitSpectraTest : public QObject {
  private Q_SLOTS:
   void findsTheSkinOfSpectra() {
     run_.write("rows.csv", spectraInRows(people(50)));
-    const Outcome outcome = run_.run("fit-spectra rows.csv -o out.csv");
+    const Outcome outcome = run_.run("fit-spectra rows.csv -o out.csv --profile li2024");
     EXPECT_DONE(outcome);
     QVERIFY2(outcome.output.starts_with("50 spectra, RMSE mean "), outcome.output.c_str());
     QVERIFY(outcome.output.ends_with(" s\n"));
@@ -78,8 +78,9 @@ class FitSpectraTest : public QObject {
          {std::pair<QString, std::string>{"oxygenation", ",oxygenation,rmse"},
           {"thickness", ",thickness_mm,rmse"},
           {"thickness,oxygenation", ",oxygenation,thickness_mm,rmse"}}) {
-      EXPECT_DONE(run_.run("fit-spectra free.csv -o out.csv --threads 1 --free " + names));
-      EXPECT_DONE(run_.run("fit-spectra free.csv -o two.csv --threads 2 --free " + names));
+      const QString options = " --profile li2024 --free " + names;
+      EXPECT_DONE(run_.run("fit-spectra free.csv -o out.csv --threads 1" + options));
+      EXPECT_DONE(run_.run("fit-spectra free.csv -o two.csv --threads 2" + options));
       const std::string text = run_.read("out.csv");
       QVERIFY(text == run_.read("two.csv"));
       const auto rows = splitCsv(text);
@@ -124,9 +125,12 @@ class FitSpectraTest : public QObject {
     const auto spectra = people(100);
     run_.write("rows.csv", spectraInRows(spectra));
     run_.write("columns.csv", spectraInColumns(spectra));
-    EXPECT_DONE(run_.run("fit-spectra rows.csv -o one.csv --threads 1 --specular excluded"));
-    EXPECT_DONE(run_.run("fit-spectra rows.csv -o two.csv --threads 2 --range 400:700"));
-    const Outcome quiet = run_.run("fit-spectra columns.csv -o columns_out.csv --quiet");
+    EXPECT_DONE(
+        run_.run("fit-spectra rows.csv -o one.csv --profile li2024 --threads 1 --specular excluded"));
+    EXPECT_DONE(
+        run_.run("fit-spectra rows.csv -o two.csv --profile li2024 --threads 2 --range 400:700"));
+    const Outcome quiet =
+        run_.run("fit-spectra columns.csv -o columns_out.csv --profile li2024 --quiet");
     EXPECT_DONE(quiet);
     QVERIFY(quiet.output.empty());
     QVERIFY(run_.read("one.csv") == run_.read("two.csv"));
@@ -137,8 +141,8 @@ class FitSpectraTest : public QObject {
     std::vector<Spectrum> spectra = people(1);
     spectra[0].tail(kSampleCount - 140) = 0.9;  // from 580 nm: no skin
     run_.write("cut.csv", spectraInRows(spectra));
-    EXPECT_DONE(run_.run("fit-spectra cut.csv -o all.csv"));
-    EXPECT_DONE(run_.run("fit-spectra cut.csv -o part.csv --range 400:579.5"));
+    EXPECT_DONE(run_.run("fit-spectra cut.csv -o all.csv --profile li2024"));
+    EXPECT_DONE(run_.run("fit-spectra cut.csv -o part.csv --profile li2024 --range 400:579.5"));
     const auto error = [&](const std::string& name) {
       const std::string text = run_.read(name);
       return parseNumber(splitCsv(text)[1].fields[6]).value_or(NAN);

@@ -49,7 +49,7 @@ class SpectrumTest : public QObject {
  private Q_SLOTS:
   void agreesWithTheCheckValues() {
     run_.write("sets.csv", kSets);
-    EXPECT_DONE(run_.run("spectrum --csv sets.csv -o out.csv"));
+    EXPECT_DONE(run_.run("spectrum --csv sets.csv -o out.csv --profile li2024"));
     const auto rows = numbers(run_.read("out.csv"));
     QCOMPARE(rows.size(), std::size_t{4});
     for (const auto& row : rows)
@@ -66,7 +66,7 @@ class SpectrumTest : public QObject {
   }
 
   void oneSetGoesToStandardOutput() {
-    const Outcome outcome = run_.run("spectrum --params 0.02,0.5,0.02,0.01,0.001");
+    const Outcome outcome = run_.run("spectrum --params 0.02,0.5,0.02,0.01,0.001 --profile li2024");
     EXPECT_DONE(outcome);
     const auto rows = numbers(outcome.output);
     QCOMPARE(rows.size(), std::size_t{2});
@@ -77,7 +77,7 @@ class SpectrumTest : public QObject {
     run_.write("turned.csv",
                "carotene,haemoglobin_epidermal,haemoglobin_dermal,melanin_blend,melanin\n"
                "0.001,0.01,0.02,0.5,0.02\n");
-    const Outcome outcome = run_.run("spectrum --csv turned.csv");
+    const Outcome outcome = run_.run("spectrum --csv turned.csv --profile li2024");
     EXPECT_DONE(outcome);
     EXPECT_NEAR(numbers(outcome.output)[1][0], kExpected[1][0], 1e-6);
   }

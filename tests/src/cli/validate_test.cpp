@@ -58,10 +58,10 @@ class ValidateTest : public QObject {
   void initTestCase() {
     run_.write("sets.csv", kSets);
     for (const char* line :
-         {"spectrum --csv sets.csv -o skin.csv",
-          "spectrum --csv sets.csv -o shiny.csv --specular included",
-          "spectrum --csv sets.csv -o spot.csv --specular included --specular-share 0.05 "
-          "--aperture-radius 4"}) {
+         {"spectrum --csv sets.csv --profile li2024 -o skin.csv",
+          "spectrum --csv sets.csv --profile li2024 -o shiny.csv --specular included",
+          "spectrum --csv sets.csv --profile li2024 -o spot.csv --specular included "
+          "--specular-share 0.05 --aperture-radius 4"}) {
       EXPECT_DONE(run_.run(line));
     }
   }
@@ -84,7 +84,8 @@ class ValidateTest : public QObject {
 
   void fittedSpectraAreToldWhetherItIsThere() {
     const auto worst = [&](const std::string& options) {
-      const Outcome outcome = run_.run(QString::fromStdString("fit-spectra " + options));
+      const Outcome outcome =
+          run_.run(QString::fromStdString("fit-spectra --profile li2024 " + options));
       double most = outcome.status == 0 ? 0.0 : NAN;
       for (std::size_t i = 1; i <= kPeople; ++i)
         most = std::max(most, numbersIn(run_.read("fits.csv"), i).back());

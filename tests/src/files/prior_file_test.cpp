@@ -12,8 +12,8 @@ namespace cutis {
 namespace {
 
 // One with a linear carotene and correlations.
-Prior skin2026() {
-  return loadProfile(CUTIS_SOURCE_DIR "/resources/profiles/skin2026.json", "test").value().prior;
+Prior twoLayers() {
+  return loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test").value().prior;
 }
 
 class PriorFileTest : public QObject {
@@ -65,7 +65,7 @@ class PriorFileTest : public QObject {
     EXPECT_ERROR(read(R"({"scale": "log", "linear": ["carotene"]})"), "mean must be an object");
     EXPECT_ERROR(read(R"({"scale": "log", "linear": ["carotene"], "mean": {"carotene": 0.002}})"),
                  "sd must be an object");
-    const Prior measuredPrior = skin2026();
+    const Prior measuredPrior = twoLayers();
     EXPECT_ERROR(read(R"({"scale": "log", "mean": {"carotene": 0.002}})", measuredPrior),
                  "sd must be an object");
     const auto log = read(
@@ -90,7 +90,7 @@ class PriorFileTest : public QObject {
     expected(0, 4) = expected(4, 0) = -0.3;
     expected(0, 1) = expected(1, 0) = 0.5;
     QVERIFY(prior.value().correlation == expected);
-    const auto none = read(R"({"scale": "log", "correlation": {}})", skin2026());
+    const auto none = read(R"({"scale": "log", "correlation": {}})", twoLayers());
     EXPECT_OK(none);
     QVERIFY(none.value().correlation.isIdentity(0.0));
     EXPECT_ERROR(

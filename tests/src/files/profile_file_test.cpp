@@ -18,7 +18,7 @@ namespace {
 
 std::string paper() { return std::string(*resource("profiles/li2024.json")); }
 
-constexpr char kMeasured[] = CUTIS_SOURCE_DIR "/resources/profiles/skin2026.json";
+constexpr char kMeasured[] = CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json";
 
 std::string measured() { return readTextFile(kMeasured).value(); }
 
@@ -69,11 +69,11 @@ class ProfileFileTest : public QObject {
   }
 
   // Every constant of the file, as it stands there.
-  void skin2026IsRead() {
+  void allConstantsAreRead() {
     const auto loaded = loadProfile(kMeasured, "test");
     EXPECT_OK(loaded);
     const Profile& p = loaded.value();
-    QCOMPARE(p.name, std::string("skin2026"));
+    QCOMPARE(p.name, std::string("two-layer"));
     QVERIFY(p.layerOptics == LayerOpticsKind::addingDoubling);
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       EXPECT_NEAR(p.axes[k].maximum, test::li2024().profile().axes[k].maximum, 0.0);

@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::array<int, 12> kNm = {300, 350, 414, 450, 500, 542, 576, 600, 700, 850, 970, 1000};
 
-const Profile& skin2026() {
+const Profile& twoLayers() {
   static const Profile profile =
-      loadProfile(CUTIS_SOURCE_DIR "/tests/core/skin/two_layer_profile.json", "test").value();
+      loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test").value();
   return profile;
 }
 
@@ -105,12 +105,12 @@ const std::array<Row, 4> kRows = {{
       0.146974, 0.159482, 0.171935}},
 }};
 
-class Skin2026Test : public QObject {
+class TwoLayerProfileTest : public QObject {
   Q_OBJECT
 
  private slots:
   void absorptionIsItsFormulas() {
-    const Profile& p = skin2026();
+    const Profile& p = twoLayers();
     const EpidermalAbsorption upper = epidermalAbsorption(p);
     const DermalAbsorption lower = dermalAbsorption(p);
     for (const Row& row : kRows) {
@@ -125,7 +125,7 @@ class Skin2026Test : public QObject {
   }
 
   void bloodAndCaroteneMeetTheirSpotValues() {
-    const Profile& p = skin2026();
+    const Profile& p = twoLayers();
     const std::array<double, 12> dermal = {20.5649158, 26.7034559, 31.222364,  23.0092389,
                                            9.4532515,  17.9142641, 17.0246932, 4.3489416,
                                            0.4738261,  0.4842066,  0.4630545,  0.3805839};
@@ -145,7 +145,7 @@ class Skin2026Test : public QObject {
   }
 
   void scatteringIsItsFormulas() {
-    const Spectrum upper = epidermalScattering(skin2026()), lower = dermalScattering(skin2026());
+    const Spectrum upper = epidermalScattering(twoLayers()), lower = dermalScattering(twoLayers());
     for (int i = 0; i < kSampleCount; ++i) {
       const double ratio = wavelengthNm(i) / 550.0;
       EXPECT_NEAR(upper[i], 5.2 * std::pow(ratio, -1.25), 1e-12);
@@ -155,7 +155,7 @@ class Skin2026Test : public QObject {
   }
 
   void radiativeTransferMeetsTheCheckValues() {
-    const Profile& p = skin2026();
+    const Profile& p = twoLayers();
     const EpidermalAbsorption upper = epidermalAbsorption(p);
     const DermalAbsorption lower = dermalAbsorption(p);
     const Spectrum above = epidermalScattering(p), below = dermalScattering(p);
@@ -205,13 +205,13 @@ class Skin2026Test : public QObject {
   void thePapersModelKeepsItsName() {
     QCOMPARE(fingerprint(test::li2024().profile()),
              std::string("f5f735cbbb4ff9485a83ae857a6461ab"));
-    QVERIFY(fingerprint(skin2026()) != fingerprint(test::li2024().profile()));
+    QVERIFY(fingerprint(twoLayers()) != fingerprint(test::li2024().profile()));
   }
 
   void everyConstantCounts() {
-    const std::string original = fingerprint(skin2026());
+    const std::string original = fingerprint(twoLayers());
     const auto counts = [&](auto change) {
-      Profile profile = skin2026();
+      Profile profile = twoLayers();
       change(profile);
       return fingerprint(profile) != original;
     };
@@ -244,9 +244,9 @@ class Skin2026Test : public QObject {
   }
 };
 
-CUTIS_TEST(Skin2026Test)
+CUTIS_TEST(TwoLayerProfileTest)
 
 }  // namespace
 }  // namespace cutis
 
-#include "skin2026_test.moc"
+#include "two_layer_profile_test.moc"

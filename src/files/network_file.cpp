@@ -1,0 +1,284 @@
+// Reading of src/files/network_file.h.
+
+#include "src/files/network_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/files/json_file.h"
+#include "src/files/resources.h"
+#include "src/files/text_file.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kNewestVersion = 1;
+constexpr char kFolder[] = "networks";
+constexpr char kSuffix[] = ".json";
+// The largest networks allowed have some 25 MB.
+constexpr std::size_t kMostBytes = std::size_t{32} << 20;
+
+Result<int> wholeNumber(const JsonValue& object, const std::string& key, int least, int most) {
+  CUTIS_TRY(value, object.integer(key));
+  if (value < least || value > most) {
+    return object.error(
+        key, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return value;
+}
+
+Result<std::uint64_t> seedOf(const JsonValue& object) {
+  CUTIS_TRY(seed, wholeNumber(object, "seed", 0, std::numeric_limits<int>::max()));
+  return static_cast<std::uint64_t>(seed);
+}
+
+// The largest float, as its shortest text reads in double precision.
+constexpr double kMostFloat = 3.4028235e38;
+
+Result<std::vector<float>> asFloats(const JsonValue& list, std::size_t count) {
+  CUTIS_TRY(numbers, list.asNumbers(count));
+  constexpr double kMost = std::numeric_limits<float>::max();
+  std::vector<float> values;
+  values.reserve(count);
+  for (const double number : numbers) {
+    if (std::abs(number) > kMostFloat) return list.error("a list of numbers that fit a float");
+    values.push_back(static_cast<float>(std::clamp(number, -kMost, kMost)));
+  }
+  return values;
+}
+
+Result<std::vector<float>> floats(const JsonValue& object, const std::string& key,
+                                  std::size_t count) {
+  CUTIS_TRY(list, object.list(key));
+  return asFloats(list, count);
+}
+
+Result<Activation> activationOf(const JsonValue& object) {
+  CUTIS_TRY(name, object.text("activation"));
+  if (const auto activation = activationByName(name)) return *activation;
+  return object.error("activation", "linear, relu, sigmoid or squareplus");
+}
+
+Result<DenseLayer> parseLayer(const JsonValue& object) {
+  if (!object.isObject()) return object.error("an object");
+  CUTIS_CHECK(object.allowOnly({"inputs", "outputs", "activation", "weights", "bias"}));
+  CUTIS_TRY(inputs, wholeNumber(object, "inputs", 1, kMaximumUnits));
+  CUTIS_TRY(outputs, wholeNumber(object, "outputs", 1, kMaximumUnits));
+  CUTIS_TRY(activation, activationOf(object));
+  CUTIS_TRY(weights, floats(object, "weights",
+                            static_cast<std::size_t>(inputs) * static_cast<std::size_t>(outputs)));
+  CUTIS_TRY(bias, floats(object, "bias", static_cast<std::size_t>(outputs)));
+  return DenseLayer{inputs, outputs, activation, std::move(weights), std::move(bias)};
+}
+
+Result<DenseNetwork> parseLayers(const JsonValue& object) {
+  CUTIS_TRY(layers, object.array("layers"));
+  if (layers.empty() || layers.size() > std::size_t{kMaximumLayers}) {
+    return object.error("layers", "a list of 1 to " + std::to_string(kMaximumLayers) + " layers");
+  }
+  DenseNetwork network;
+  for (const JsonValue& element : layers) {
+    CUTIS_TRY(layer, parseLayer(element));
+    network.layers.push_back(std::move(layer));
+  }
+  return network;
+}
+
+Result<ParameterAxes> parseAxes(const JsonValue& object) {
+  CUTIS_TRY(elements, object.array("axes"));
+  ParameterAxes axes;
+  if (elements.size() != axes.size()) return object.error("axes", "a list of five axes");
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (!elements[k].isObject()) return elements[k].error("an object");
+    CUTIS_CHECK(elements[k].allowOnly({"maximum", "samples", "exponent"}));
+    CUTIS_TRY(maximum, elements[k].number("maximum"));
+    CUTIS_TRY(samples, elements[k].integer("samples"));
+    CUTIS_TRY(exponent, elements[k].integer("exponent"));
+    axes[k] = {maximum, samples, exponent};
+  }
+  return axes;
+}
+
+Result<std::vector<int>> parseHidden(const JsonValue& object) {
+  CUTIS_TRY(elements, object.array("hidden"));
+  if (elements.empty() || elements.size() > std::size_t{kMaximumLayers}) {
+    return object.error("hidden", "a list of 1 to " + std::to_string(kMaximumLayers) + " sizes");
+  }
+  std::vector<int> hidden;
+  for (const JsonValue& element : elements) {
+    CUTIS_TRY(units, element.asNumber());
+    if (!(units >= 1 && units <= kMaximumUnits && units == std::floor(units))) {
+      return element.error("a whole number from 1 to " + std::to_string(kMaximumUnits));
+    }
+    hidden.push_back(static_cast<int>(units));
+  }
+  return hidden;
+}
+
+Result<TrainingPeople> parsePeople(const JsonValue& trained) {
+  CUTIS_TRY(object, trained.object("people"));
+  CUTIS_CHECK(object.allowOnly({"count", "face_share", "seed"}));
+  CUTIS_TRY(count, object.integer("count"));
+  CUTIS_TRY(faceShare, object.number("face_share"));
+  CUTIS_TRY(seed, seedOf(object));
+  return TrainingPeople{faceShare, count, seed};
+}
+
+Result<TrainerOptions> parseTrainer(const JsonValue& trained) {
+  CUTIS_TRY(object, trained.object("trainer"));
+  CUTIS_CHECK(object.allowOnly({"rate", "weight_decay", "warm_up", "epochs", "batch",
+                                "held_out_share", "patience", "seed"}));
+  CUTIS_TRY(rate, object.number("rate"));
+  CUTIS_TRY(weightDecay, object.number("weight_decay"));
+  CUTIS_TRY(warmUp, object.number("warm_up"));
+  CUTIS_TRY(epochs, object.integer("epochs"));
+  CUTIS_TRY(batch, object.integer("batch"));
+  CUTIS_TRY(heldOutShare, object.number("held_out_share"));
+  CUTIS_TRY(patience, object.integer("patience"));
+  CUTIS_TRY(seed, seedOf(object));
+  return TrainerOptions{rate, weightDecay, warmUp, epochs, batch, heldOutShare, patience, seed};
+}
+
+// What the options of both networks have in common.
+template <typename Options>
+Status parseTrained(const JsonValue& trained, Options& options) {
+  CUTIS_TRY(hidden, parseHidden(trained));
+  CUTIS_TRY(activation, activationOf(trained));
+  CUTIS_TRY(people, parsePeople(trained));
+  CUTIS_TRY(trainer, parseTrainer(trained));
+  options.hidden = hidden;
+  options.activation = activation;
+  options.people = people;
+  options.trainer = trainer;
+  return validate(trainer, trained.file());
+}
+
+Status parseSpectraOptions(const JsonValue& object, SpectraNetworkOptions& options) {
+  CUTIS_TRY(trained, object.object("trained"));
+  CUTIS_CHECK(trained.allowOnly(
+      {"hidden", "activation", "people", "trainer", "components", "truncation_error"}));
+  CUTIS_CHECK(parseTrained(trained, options));
+  CUTIS_TRY(components, wholeNumber(trained, "components", 0, kMaximumComponents));
+  CUTIS_TRY(truncationError, trained.number("truncation_error"));
+  options.components = components;
+  options.truncationError = truncationError;
+  return {};
+}
+
+Status parseChromophoreOptions(const JsonValue& object, ChromophoreNetworkOptions& options) {
+  CUTIS_TRY(trained, object.object("trained"));
+  CUTIS_CHECK(trained.allowOnly({"hidden", "activation", "people", "trainer", "noise"}));
+  CUTIS_CHECK(parseTrained(trained, options));
+  CUTIS_TRY(list, trained.list("noise"));
+  CUTIS_TRY(noise, list.asNumbers(2));
+  if (noise[0] < 0.0 || noise[1] < 0.0) return trained.error("noise", "two numbers from 0");
+  options.noise = {noise[0], noise[1]};
+  return {};
+}
+
+Result<Eigen::MatrixXd> parseComponents(const JsonValue& object) {
+  CUTIS_TRY(columns, object.array("components"));
+  if (columns.empty() || columns.size() > std::size_t{kMaximumComponents}) {
+    return object.error("components",
+                        "a list of 1 to " + std::to_string(kMaximumComponents) + " components");
+  }
+  Eigen::MatrixXd components(kSampleCount, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    CUTIS_TRY(values, asFloats(columns[k], kSampleCount));
+    components.col(static_cast<Eigen::Index>(k)) =
+        Eigen::Map<const Eigen::VectorXf>(values.data(), kSampleCount).cast<double>();
+  }
+  return components;
+}
+
+Result<SpectraNetwork> parseSpectra(const JsonValue& object) {
+  SpectraNetwork network;
+  CUTIS_TRY(profile, object.text("profile"));
+  CUTIS_TRY(axes, parseAxes(object));
+  CUTIS_TRY(mean, floats(object, "mean", kSampleCount));
+  CUTIS_TRY(components, parseComponents(object));
+  CUTIS_TRY(layers, parseLayers(object));
+  network.profile = profile;
+  network.axes = axes;
+  network.mean = Eigen::Map<const Eigen::ArrayXf>(mean.data(), kSampleCount).cast<double>();
+  network.components = std::move(components);
+  network.network = std::move(layers);
+  CUTIS_CHECK(validate(network, object.file() + ": spectra_nn"));
+  return network;
+}
+
+Result<ChromophoreNetwork> parseChromophores(const JsonValue& object) {
+  ChromophoreNetwork network;
+  CUTIS_TRY(profile, object.text("profile"));
+  CUTIS_TRY(channels, object.text("channels"));
+  CUTIS_TRY(axes, parseAxes(object));
+  CUTIS_TRY(layers, parseLayers(object));
+  network.profile = profile;
+  network.channels = channels;
+  network.axes = axes;
+  network.network = std::move(layers);
+  CUTIS_CHECK(validate(network, object.file() + ": chrom_nn"));
+  return network;
+}
+
+bool sameAxes(const ParameterAxes& a, const ParameterAxes& b) {
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (a[k].maximum != b[k].maximum || a[k].exponent != b[k].exponent) return false;
+  }
+  return true;
+}
+
+Status parseBoth(const JsonValue& root, NetworkFile& file) {
+  CUTIS_TRY(spectra, root.object("spectra_nn"));
+  CUTIS_CHECK(spectra.allowOnly({"trained", "profile", "axes", "mean", "components", "layers"}));
+  CUTIS_CHECK(parseSpectraOptions(spectra, file.spectraOptions));
+  CUTIS_TRY(spectraNetwork, parseSpectra(spectra));
+  CUTIS_TRY(chromophores, root.object("chrom_nn"));
+  CUTIS_CHECK(chromophores.allowOnly({"trained", "profile", "channels", "axes", "layers"}));
+  CUTIS_CHECK(parseChromophoreOptions(chromophores, file.chromophoreOptions));
+  CUTIS_TRY(chromophoreNetwork, parseChromophores(chromophores));
+  file.spectra = std::move(spectraNetwork);
+  file.chromophores = std::move(chromophoreNetwork);
+  if (file.spectra.profile == file.chromophores.profile &&
+      sameAxes(file.spectra.axes, file.chromophores.axes)) {
+    return {};
+  }
+  return inputError(root.file(),
+                    "spectra_nn and chrom_nn are of different profiles; train them anew together");
+}
+
+}  // namespace
+
+Result<NetworkFile> parseNetworks(std::string_view text, const std::string& place) {
+  CUTIS_TRY(root, parseJson(text, place));
+  CUTIS_CHECK(checkVersion(root, "cutis_network", kNewestVersion));
+  CUTIS_CHECK(
+      root.allowOnly({"cutis_network", "rig", "profile", "command", "spectra_nn", "chrom_nn"}));
+  NetworkFile file;
+  CUTIS_TRY(rig, root.text("rig"));
+  CUTIS_TRY(profile, root.text("profile"));
+  CUTIS_TRY(command, root.text("command"));
+  file.rig = rig;
+  file.profile = profile;
+  file.command = command;
+  CUTIS_CHECK(parseBoth(root, file));
+  return file;
+}
+
+Result<NetworkFile> readNetworks(const std::string& path) {
+  CUTIS_TRY(text, readTextFile(path, kMostBytes));
+  return parseNetworks(text, path);
+}
+
+std::vector<std::string> builtInNetworkNames() {
+  return resourceStems(kFolder, kSuffix);
+}
+
+Result<NetworkFile> builtInNetworks(const std::string& name) {
+  const auto text = resource(std::string(kFolder) + "/" + name + kSuffix);
+  if (!text) return inputError(name, "no networks of this name are built in");
+  return parseNetworks(*text, "built-in networks " + name);
+}
+
+}  // namespace cutis
