@@ -2,9 +2,9 @@
 
 // Solving a whole picture: which pixels, in which order, each how often.
 //
-// Tiles are independent and run on all cores, those in view first. Masked, black, saturated and non-finite pixels are
-// never solved; equal pixels of a tile are solved once. What was done and what was skipped is
-// counted.
+// Tiles are independent and run on all cores, those in view first. Masked, black, saturated and
+// non-finite pixels are never solved; equal pixels of a tile are solved once. What was done and what
+// was skipped is counted.
 
 #include <cstdint>
 #include <functional>

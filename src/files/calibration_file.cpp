@@ -155,6 +155,9 @@ Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& 
   CUTIS_TRY(spectra, root.array("spectra"));
   for (const JsonValue& each : spectra) {
     CUTIS_TRY(parsed, parseSpectra(each));
+    for (const CalibrationSpectra& other : recipe.spectra) {
+      if (other.name == parsed.name) return each.error("name", "different from that of others");
+    }
     recipe.spectra.push_back(parsed);
   }
   if (recipe.spectra.empty()) return root.error("spectra", "one object or more");
@@ -162,6 +165,11 @@ Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& 
   CUTIS_TRY(constants, root.array("constants"));
   for (const JsonValue& each : constants) {
     CUTIS_TRY(parsed, parseConstant(each, recipe));
+    for (const CalibrationConstant& other : recipe.constants) {
+      if (other.constant.name == parsed.constant.name && other.spectra == parsed.spectra) {
+        return each.error("field", "named once");
+      }
+    }
     recipe.constants.push_back(parsed);
   }
   if (recipe.constants.empty()) return root.error("constants", "one object or more");
