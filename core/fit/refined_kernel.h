@@ -21,17 +21,20 @@ namespace cutis {
 
 inline constexpr std::size_t kMaximumFitChannels = 32;
 inline constexpr std::size_t kMaximumFitNodes = 48;
-// Polynomial start: components of the log channels, and cubic terms in them.
+// Polynomial start: components of the log channels, and terms up to the fourth degree in them.
 inline constexpr int kStartComponents = 4;
-inline constexpr int kStartTerms = 35;
+inline constexpr int kStartTerms = 70;
+// One polynomial for dark skin, one for light: the first component, which is lightness, decides.
+inline constexpr int kStartPieces = 2;
 
 // Where a pixel begins, from its own channels.
 struct StartPolynomial {
   // component = Σ_k projection[component][k] · ln(channel k) + offset[component]
   float projection[kStartComponents][kMaximumFitChannels];
   float offset[kStartComponents];
-  // coordinate = Σ_t coefficients[coordinate][t] · term t; terms in the order of startTerms().
-  float coefficients[kParameterCount][kStartTerms];
+  // coordinate = Σ_t coefficients[piece][coordinate][t] · term t; terms in the order of startTerms().
+  // The first piece holds where the first component is below 0.
+  float coefficients[kStartPieces][kParameterCount][kStartTerms];
 };
 
 template <typename T>

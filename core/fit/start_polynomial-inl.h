@@ -56,14 +56,17 @@ HWY_INLINE void StartPoint(D d, const StartPolynomial& polynomial, std::size_t c
   for (V& value : component) {
     value = hn::Min(hn::Max(value, hn::Set(d, T(-4))), hn::Set(d, T(4)));
   }
-  for (int i = 0; i < kParameterCount; ++i) {
-    coordinates[i] = hn::Set(d, static_cast<T>(polynomial.coefficients[i][0]));
-  }
+  const auto isFirst = hn::Lt(component[0], hn::Zero(d));
+  const auto coefficient = [&](int i, int term) HWY_ATTR {
+    return hn::IfThenElse(isFirst,
+                          hn::Set(d, static_cast<T>(polynomial.coefficients[0][i][term])),
+                          hn::Set(d, static_cast<T>(polynomial.coefficients[1][i][term])));
+  };
+  for (int i = 0; i < kParameterCount; ++i) coordinates[i] = coefficient(i, 0);
   int term = 1;
   const auto add = [&](V value) HWY_ATTR {
     for (int i = 0; i < kParameterCount; ++i) {
-      coordinates[i] = hn::MulAdd(
-          value, hn::Set(d, static_cast<T>(polynomial.coefficients[i][term])), coordinates[i]);
+      coordinates[i] = hn::MulAdd(value, coefficient(i, term), coordinates[i]);
     }
     ++term;
   };
@@ -71,9 +74,13 @@ HWY_INLINE void StartPoint(D d, const StartPolynomial& polynomial, std::size_t c
   for (int a = 0; a < kStartComponents; ++a) {
     add(component[a]);
     for (int b = a; b < kStartComponents; ++b) {
-      const V product = hn::Mul(component[a], component[b]);
-      add(product);
-      for (int c = b; c < kStartComponents; ++c) add(hn::Mul(product, component[c]));
+      const V square = hn::Mul(component[a], component[b]);
+      add(square);
+      for (int c = b; c < kStartComponents; ++c) {
+        const V cube = hn::Mul(square, component[c]);
+        add(cube);
+        for (int e = c; e < kStartComponents; ++e) add(hn::Mul(cube, component[e]));
+      }
     }
   }
 }

@@ -20,6 +20,11 @@ using Eigen::VectorXd;
 
 constexpr Index kPixels = 12000;
 constexpr std::uint64_t kSeed = 31;
+// Share of the people that is drawn with larger deviations, and how much larger.
+constexpr double kWideShare = 0.15;
+constexpr double kWiderBy = 1.5;
+// Components up to here on the other side count for a piece, too, so that the two nearly meet.
+constexpr double kOverlap = 0.3;
 constexpr double kSmallestChannel = 1e-4;
 constexpr double kDarkestShade = 0.05;
 // A component is limited to this many of its standard deviations (start_polynomial-inl.h).
@@ -29,8 +34,14 @@ static_assert(3 * kMaximumLights <= static_cast<int>(kMaximumFitChannels));
 
 // People of the prior, with parameters that are held at their value.
 std::vector<ParameterVector> drawPixels(const StartScene& scene) {
+  const ParameterAxes& axes = scene.model.profile().axes;
+  constexpr auto wideCount = static_cast<int>(kWideShare * kPixels);
   std::vector<ParameterVector> pixels =
-      drawFromPrior(scene.prior, scene.model.profile().axes, kPixels, kSeed);
+      drawFromPrior(scene.prior, axes, kPixels - wideCount, kSeed);
+  Prior wide = scene.prior;
+  wide.deviation *= kWiderBy;
+  const auto rest = drawFromPrior(wide, axes, wideCount, kSeed + 1);
+  pixels.insert(pixels.end(), rest.begin(), rest.end());
   for (ParameterVector& p : pixels) {
     for (int i = 0; i < kParameterCount; ++i) {
       p[i] = scene.fixed[static_cast<std::size_t>(i)].value_or(p[i]);
@@ -70,7 +81,7 @@ MatrixXd simulateLogChannels(const StartScene& scene, const std::vector<Paramete
   return channels;
 }
 
-// Products of up to three components, in the order in which the kernel adds them.
+// Products of up to four components, in the order in which the kernel adds them.
 VectorXd startTerms(const VectorXd& component) {
   VectorXd terms(kStartTerms);
   Index t = 0;
@@ -78,9 +89,12 @@ VectorXd startTerms(const VectorXd& component) {
   for (Index a = 0; a < kStartComponents; ++a) {
     terms[t++] = component[a];
     for (Index b = a; b < kStartComponents; ++b) {
-      terms[t++] = component[a] * component[b];
+      const double square = component[a] * component[b];
+      terms[t++] = square;
       for (Index c = b; c < kStartComponents; ++c) {
-        terms[t++] = component[a] * component[b] * component[c];
+        const double cube = square * component[c];
+        terms[t++] = cube;
+        for (Index e = c; e < kStartComponents; ++e) terms[t++] = cube * component[e];
       }
     }
   }
@@ -119,22 +133,36 @@ VectorXd componentsOf(const StartPolynomial& polynomial, const Eigen::RowVectorX
   return component;
 }
 
+// Whether a pixel counts for a piece.
+bool belongs(const VectorXd& component, int piece) {
+  return piece == 0 ? component[0] < kOverlap : component[0] > -kOverlap;
+}
+
 // Coefficients by least squares. targets: coordinates, one pixel a row.
 void fitCoefficients(const MatrixXd& logChannels, const MatrixXd& targets,
                      StartPolynomial& polynomial) {
-  MatrixXd gram = MatrixXd::Zero(kStartTerms, kStartTerms);
-  MatrixXd cross = MatrixXd::Zero(kStartTerms, kParameterCount);
+  std::array<MatrixXd, kStartPieces> grams, crosses;
+  grams.fill(MatrixXd::Zero(kStartTerms, kStartTerms));
+  crosses.fill(MatrixXd::Zero(kStartTerms, kParameterCount));
   for (Index i = 0; i < logChannels.rows(); ++i) {
-    const VectorXd terms = startTerms(componentsOf(polynomial, logChannels.row(i)));
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(terms);
-    cross += terms * targets.row(i);
+    const VectorXd component = componentsOf(polynomial, logChannels.row(i));
+    const VectorXd terms = startTerms(component);
+    for (int piece = 0; piece < kStartPieces; ++piece) {
+      if (!belongs(component, piece)) continue;
+      const auto p = static_cast<std::size_t>(piece);
+      grams[p].selfadjointView<Eigen::Lower>().rankUpdate(terms);
+      crosses[p] += terms * targets.row(i);
+    }
   }
-  // A little ridge: with three channels one component is empty and its terms are zero.
-  gram.diagonal().array() += 1e-6 * static_cast<double>(logChannels.rows());
-  const MatrixXd solution = gram.selfadjointView<Eigen::Lower>().ldlt().solve(cross);
-  for (int k = 0; k < kParameterCount; ++k) {
-    for (Index t = 0; t < kStartTerms; ++t) {
-      polynomial.coefficients[k][t] = static_cast<float>(solution(t, k));
+  for (int piece = 0; piece < kStartPieces; ++piece) {
+    const auto p = static_cast<std::size_t>(piece);
+    // A little ridge: with three channels one component is empty and its terms are zero.
+    grams[p].diagonal().array() += 1e-6 * static_cast<double>(logChannels.rows());
+    const MatrixXd solution = grams[p].selfadjointView<Eigen::Lower>().ldlt().solve(crosses[p]);
+    for (int k = 0; k < kParameterCount; ++k) {
+      for (Index t = 0; t < kStartTerms; ++t) {
+        polynomial.coefficients[piece][k][t] = static_cast<float>(solution(t, k));
+      }
     }
   }
 }

@@ -1,7 +1,9 @@
 #pragma once
 
-// Where the refined fit begins: a cubic polynomial in the leading principal components of a pixel's
-// log channels, least squares over simulated noisy pixels of the prior.
+// Where the refined fit begins: a polynomial of the fourth degree in the leading principal components
+// of a pixel's log channels, one for darker and one for lighter skin, least squares over simulated
+// noisy pixels of the prior. A part of the pixels is from a wider prior: where it has seen next to
+// nobody, a polynomial runs away, and the fit with it.
 //
 // Its target is the estimate itself: pixels are solved from a first polynomial, which was made for
 // the true parameters, and a second one is made for what came out. So the start is about as good as
@@ -35,7 +37,7 @@ struct StartScene {
   double shadingDeviation = 0.0;  // of a factor on all channels of a pixel; 0: there is none
 };
 
-// Deterministic on one instruction set; about 50 ms.
+// Deterministic on one instruction set; about 60 ms.
 StartPolynomial trainStartPolynomial(const StartScene& scene, const StartTrial& solve);
 
 }  // namespace cutis
