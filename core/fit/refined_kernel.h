@@ -71,6 +71,7 @@ struct RefinedBatch {
   T* coordinates;             // out, and in without a start polynomial: [coordinate][stride]
   std::uint8_t* converged;    // out
   std::uint16_t* rounds;      // added to
+  T* costs = nullptr;         // out, [pixel]: what was minimised, where somebody asks
 };
 
 // T is float or double.

@@ -370,6 +370,7 @@ class Refiner {
     if (hn::AllFalse(d, finished)) return;
     HWY_ALIGN T values[kParameterCount][kLanes];
     HWY_ALIGN T flags[2][kLanes];
+    HWY_ALIGN T costs[kLanes];
     const V nothing = hn::Zero(d);
     const V share = sizeof(T) == 4 ? hn::IfThenElse(converged, lanes_.share, nothing) : nothing;
     V last[kParameterCount];
@@ -378,6 +379,7 @@ class Refiner {
     const V one = hn::Set(d, T(1));
     hn::Store(hn::IfThenElseZero(finished, one), d, flags[0]);
     hn::Store(hn::IfThenElseZero(converged, one), d, flags[1]);
+    hn::Store(lanes_.cost, d, costs);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (flags[0][lane] == T(0)) continue;
       const std::size_t pixel = pixel_[lane];
@@ -385,6 +387,7 @@ class Refiner {
         batch_.coordinates[i * batch_.stride + pixel] = values[i][lane];
       }
       batch_.converged[pixel] = flags[1][lane] != T(0);
+      if (batch_.costs != nullptr) batch_.costs[pixel] = costs[lane];
       batch_.rounds[pixel] = static_cast<std::uint16_t>(batch_.rounds[pixel] + rounds_[lane]);
     }
   }
