@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/instruction_set.h"
+#include "src/cli/bench_networks.h"
 #include "src/cli/bench_pictures.h"
 #include "src/cli/bench_plot.h"
 #include "src/cli/bench_report.h"
@@ -42,11 +43,12 @@ struct Extent {
   std::size_t subsample;
   double timingSeconds;
   PictureSeries pictures;
+  NetworkSeries networks;
 };
 
 Extent extentOf(bool quick) {
-  if (quick) return {4000, 400, 0.1, {{512, 1024}, 512, 1024}};
-  return {20000, kSubsample, 0.5, {{512, 1024, 2048, 4096}, 2048, 2048}};
+  if (quick) return {4000, 400, 0.1, {{512, 1024}, 512, 1024}, {1024, false}};
+  return {20000, kSubsample, 0.5, {{512, 1024, 2048, 4096}, 2048, 2048}, {2048, true}};
 }
 
 Status checkOutputs(const BenchCommand& command) {
@@ -93,12 +95,18 @@ struct Part {
   std::string (*tables)(const BenchFigures&);
 };
 
-std::vector<Part> partsOf(const BenchSubject& subject, const PictureSeries& pictures,
-                          Session& session, BenchSolvers& solvers, BenchFigures& figures) {
+std::vector<Part> partsOf(const BenchSubject& subject, const Extent& extent, Session& session,
+                          BenchSolvers& solvers, BenchFigures& figures) {
+  const PictureSeries& pictures = extent.pictures;
   const JobContext silent = {session.context.stop, {}, {}};
   return {
       {0.02, "bounds",
        [&, silent](const JobContext&) { return runBounds(subject, silent, figures); }, boundTables},
+      {0.12, "networks",
+       [&, networks = extent.networks](const JobContext& context) {
+         return runNetworks(subject, networks, solvers, context, figures);
+       },
+       networkTable},
       {0.45, "errors",
        [&](const JobContext& context) { return runMethods(subject, solvers, context, figures); },
        methodTables},
@@ -116,6 +124,9 @@ std::vector<Part> partsOf(const BenchSubject& subject, const PictureSeries& pict
       {0.59, "parameters",
        [&, silent](const JobContext&) { return runParameters(subject, solvers, silent, figures); },
        parameterTable},
+      {0.60, "starts",
+       [&, silent](const JobContext&) { return runStarts(subject, solvers, silent, figures); },
+       startTable},
       {0.61, "kinds of input",
        [&, silent](const JobContext&) { return runEncodings(subject, solvers, silent, figures); },
        encodingTable},
@@ -161,7 +172,7 @@ Status runBenchCommand(const BenchCommand& command, Session& session) {
   BenchSolvers solvers(session, model, rig);
   CUTIS_CHECK(print(benchHeader(figures), session));
   double from = 0.0;
-  for (const Part& part : partsOf(subject, extent.pictures, session, solvers, figures)) {
+  for (const Part& part : partsOf(subject, extent, session, solvers, figures)) {
     const JobContext context = session.context.child(from, part.until, part.name);
     context.progress.report(0.0);
     CUTIS_CHECK(part.run(context));

@@ -55,7 +55,7 @@ Status measureMethods(const BenchSubject& subject, const ProtocolPixels& all,
   for (const BenchMethod method : kBenchMethods) {
     for (const double noise : noises) {
       context.progress.report(step++ / steps);
-      if (!isJudgedAt(method, noise)) continue;
+      if (!isJudgedAt(method, noise) || !solvers.has(method)) continue;
       CUTIS_TRY(solver, solvers.solver(method, noise));
       CUTIS_TRY(figures,
                 measureMethod(subject, *solver, isExhaustive(method) ? part : all, noise, context));

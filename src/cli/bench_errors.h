@@ -47,6 +47,9 @@ Status runLights(const BenchSubject& subject, Session& session, const JobContext
 // β-carotene held at 0 against all five parameters: the paper's Fig. 13.
 Status runParameters(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
                      BenchFigures& figures);
+// Where the refined fit begins.
+Status runStarts(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+                 BenchFigures& figures);
 Status runEncodings(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
                     BenchFigures& figures);
 

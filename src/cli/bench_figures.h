@@ -72,6 +72,40 @@ struct PictureFigures {
   std::optional<std::size_t> memoryBytes;
 };
 
+// Mean squared errors of reflectance, by band.
+struct BandErrors {
+  double visible = 0.0;       // 400–700 nm
+  double ultraviolet = 0.0;   // 300–400 nm
+  double nearInfrared = 0.0;  // 700–1000 nm
+};
+
+// The refined fit with the profile's own prior, from one kind of start.
+struct StartFigures {
+  std::string start;
+  double visibleMse = 0.0;
+  double nanosecondsPerPixel = 0.0;  // what finds the start included
+  double meanIterations = 0.0;
+};
+
+// Networks, of all lights or of some.
+struct NetworkFigures {
+  struct AtNoise {
+    double noise = 0.0;
+    double encodedMse = 0.0;  // visible; channels → ChromNN → skin model
+    double bothMse = 0.0;     // visible; channels → ChromNN → SpectraNN
+  };
+
+  int lights = 0;
+  int channels = 0;
+  std::size_t weights = 0;       // of both
+  std::size_t workPerPixel = 0;  // multiply-adds, from channels to the rig's channels
+  BandErrors decoded;            // SpectraNN alone, of true parameters
+  std::vector<AtNoise> errors;
+  int size = 0;                // pixels a side of the picture that was timed
+  double encodeSeconds = 0.0;  // channels → parameters
+  double bothSeconds = 0.0;    // channels → parameters → the rig's channels
+};
+
 // The coarse maps that are shown before a fit is complete.
 struct FirstPictureFigures {
   int size = 0;  // pixels a side
@@ -92,6 +126,9 @@ struct BenchFigures {
   std::vector<BoundFigures> bounds;
   std::vector<MethodFigures> methods;
   std::vector<MethodFigures> sample;  // pixels of the sample instead of the population
+  std::vector<NetworkFigures> networks;
+  std::vector<StartFigures> starts;
+  std::optional<double> trainingSeconds;  // of networks for the rig, if any were trained
   std::vector<CoverageFigures> coverage;
   std::vector<VariantFigures> lights;
   std::vector<VariantFigures> parameters;

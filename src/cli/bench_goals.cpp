@@ -118,6 +118,42 @@ void addSpeed(const BenchFigures& figures, std::vector<Goal>& goals) {
   addSearch(BenchMethod::fullSearch, "full_search_microseconds", 20.0);
 }
 
+void addNetworks(const BenchFigures& figures, std::vector<Goal>& goals) {
+  if (!figures.networks.empty()) {
+    const NetworkFigures& row = figures.networks.front();
+    goals.push_back({"network_visible_mse",
+                     "vis MSE, network, encode + decode, no noise",
+                     GoalUnit::meanSquare,
+                     {},
+                     1e-5,
+                     row.errors.front().bothMse,
+                     false});
+    goals.push_back({"spectra_network_visible_mse",
+                     "vis MSE, SpectraNN alone",
+                     GoalUnit::meanSquare,
+                     {},
+                     1e-6,
+                     row.decoded.visible,
+                     false});
+    goals.push_back({"network_seconds",
+                     "network, encode + decode of 2048²" + remarkOn(row.size),
+                     GoalUnit::seconds,
+                     {},
+                     0.6,
+                     usualScaling(row.size) * row.bothSeconds,
+                     false});
+  }
+  if (figures.trainingSeconds) {
+    goals.push_back({"training_seconds",
+                     "networks for a new rig, training",
+                     GoalUnit::seconds,
+                     {},
+                     300.0,
+                     *figures.trainingSeconds,
+                     false});
+  }
+}
+
 std::string withUnit(double value, GoalUnit unit) {
   switch (unit) {
     case GoalUnit::none:
@@ -145,6 +181,7 @@ std::vector<Goal> goalsOf(const BenchFigures& figures) {
   addExact(figures, goals);
   addCoverage(figures, goals);
   addSpeed(figures, goals);
+  addNetworks(figures, goals);
   return goals;
 }
 

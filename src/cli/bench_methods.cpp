@@ -30,6 +30,8 @@ MethodName nameOf(BenchMethod method) {
       return {"refined, population's prior", "refined_population"};
     case BenchMethod::refinedExact:
       return {"refined, exact", "refined_exact"};
+    case BenchMethod::network:
+      return {"network", "network"};
     case BenchMethod::threeStage:
       return {"three stages, indexed", "three_stage"};
     case BenchMethod::fullSearch:
@@ -108,8 +110,12 @@ bool isExhaustive(BenchMethod method) {
 
 Result<std::shared_ptr<const PixelSolver>> BenchSolvers::solver(BenchMethod method, double noise,
                                                                 bool caroteneFixed) {
-  if (!isRefined(method)) return search(method);
+  if (!isRefined(method) && method != BenchMethod::network) return search(method);
   FitOptions options;
+  if (method == BenchMethod::network) {
+    options.method = FitMethod::network;
+    options.network = network_;
+  }
   if (method == BenchMethod::refinedExact) {
     options.noise = NoiseModel{0.0, 0.0};
   } else if (noise > 0.0) {

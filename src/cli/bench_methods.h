@@ -11,6 +11,7 @@
 
 #include "core/fit/pixel_solver.h"
 #include "core/fit/table_search.h"
+#include "core/neural/chromophore_network.h"
 #include "src/cli/command.h"
 
 namespace cutis {
@@ -19,16 +20,17 @@ enum class BenchMethod {
   refinedWide,        // the profile's own prior
   refinedPopulation,  // a linear prior: the population's mean and deviation
   refinedExact,       // zero noise assumed, the profile's own prior
+  network,            // what ChromNN answers
   threeStage,         // through their exact indices …
   fullSearch,
   threeStageExhaustive,  // … and entry by entry, as the paper describes them
   fullSearchExhaustive,
 };
-inline constexpr std::array<BenchMethod, 7> kBenchMethods = {
+inline constexpr std::array<BenchMethod, 8> kBenchMethods = {
     BenchMethod::refinedWide,          BenchMethod::refinedPopulation,
-    BenchMethod::refinedExact,         BenchMethod::threeStage,
-    BenchMethod::fullSearch,           BenchMethod::threeStageExhaustive,
-    BenchMethod::fullSearchExhaustive,
+    BenchMethod::refinedExact,         BenchMethod::network,
+    BenchMethod::threeStage,           BenchMethod::fullSearch,
+    BenchMethod::threeStageExhaustive, BenchMethod::fullSearchExhaustive,
 };
 
 // For people: "refined, wide prior".
@@ -45,7 +47,14 @@ class BenchSolvers {
   BenchSolvers(Session& session, std::shared_ptr<const SkinModel> model, const Rig& rig)
       : session_(session), model_(std::move(model)), rig_(rig) {}
 
-  // noise: what a refined fit is told, proportional; 0 for the rig's own.
+  // Without one there is no solver for the method network.
+  void setNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
+    network_ = std::move(network);
+  }
+  bool has(BenchMethod method) const { return method != BenchMethod::network || network_; }
+
+  // noise: what a refined fit is told, proportional; 0 for the rig's own. Precondition:
+  // has(method).
   Result<std::shared_ptr<const PixelSolver>> solver(BenchMethod method, double noise,
                                                     bool caroteneFixed = false);
 
@@ -55,6 +64,7 @@ class BenchSolvers {
   Session& session_;
   std::shared_ptr<const SkinModel> model_;
   Rig rig_;
+  std::shared_ptr<const ChromophoreNetwork> network_;
   std::array<std::shared_ptr<const PixelSolver>, kBenchMethods.size()> searches_;
 };
 

@@ -132,7 +132,8 @@ PictureFigures scaledPicture(const BenchFigures& figures, BenchMethod method, do
 }
 
 bool isFast(BenchMethod method) {
-  return method == BenchMethod::refinedWide || method == BenchMethod::refinedPopulation;
+  return method == BenchMethod::refinedWide || method == BenchMethod::refinedPopulation ||
+         method == BenchMethod::network;
 }
 
 // Every pixel of the sample is another one too: what is slow is not run on it.
@@ -146,7 +147,7 @@ Status runContent(const BenchSubject& subject, const Content& content, int size,
                   BenchFigures& figures) {
   std::optional<Measurements> picture;
   for (const BenchMethod method : kBenchMethods) {
-    if (!isRunOn(content, method)) continue;
+    if (!isRunOn(content, method) || !solvers.has(method)) continue;
     PictureFigures row = scaledPicture(figures, method, content.noise, size);
     if (isFast(method) || (!isExhaustive(method) && size <= series.largestSlow)) {
       if (!picture) {

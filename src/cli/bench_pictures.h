@@ -15,8 +15,8 @@ struct PictureSeries {
 
 // Pixels that have nothing to do with their neighbours, of the protocol's population, and the
 // sample; noise kUsualNoise, and none for the exact setting. The time is that of the fit stage of
-// `cutis-cli fit`, the fastest of three runs for the refined fits that are told the noise; the
-// memory is that of the first. Both need methods.
+// `cutis-cli fit`, the fastest of three runs for the network and the refined fits that are told the
+// noise; the memory is that of the first. Both need methods.
 
 // sizes, and firstPicture at the largest size that is not beyond 2048.
 Status runSizes(const BenchSubject& subject, const PictureSeries& series, Session& session,

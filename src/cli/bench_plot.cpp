@@ -8,6 +8,7 @@
 
 #include "src/cli/bench_errors.h"
 #include "src/cli/bench_panels.h"
+#include "src/cli/bench_remarks.h"
 #include "src/cli/plot_style.h"
 #include "src/cli/text_table.h"
 #include "src/files/csv.h"
@@ -19,12 +20,14 @@ namespace {
 
 using namespace plot_style;
 
-constexpr double kWidth = 920.0, kHeight = 800.0;
+constexpr double kWidth = 920.0, kHeight = 852.0;
 constexpr Box kPlot = {78.0, 104.0, 896.0, 436.0};
 constexpr Box kPanels = {24.0, 504.0, 896.0, 738.0};
 constexpr double kDisc = 5.5;
 constexpr double kSquare = 5.0;  // half of its side
 constexpr double kRoom = 1.6;    // factor between the outermost points and the edges, at least
+
+constexpr double kNoteLine = 15.0;
 
 struct PlotPoint {
   std::string label;
@@ -35,16 +38,27 @@ struct PlotPoint {
   const char* color;
 };
 
+const char* colorOf(BenchMethod method) {
+  if (method == BenchMethod::network) return kNetwork;
+  return isRefined(method) ? kRefined : kSearch;
+}
+
+// With noise: what is made for it. Without: what is not, and what the paper published as such.
+bool isDrawnAt(BenchMethod method, bool noisy) {
+  if (method == BenchMethod::network) return true;
+  return noisy == (isRefined(method) && method != BenchMethod::refinedExact);
+}
+
 std::vector<PlotPoint> pointsOf(const BenchFigures& figures) {
   std::vector<PlotPoint> points;
   for (const BenchMethod method : kBenchMethods) {
-    const bool noisy = isRefined(method) && method != BenchMethod::refinedExact;
-    const auto* row = figuresOf(figures.methods, method, noisy ? kUsualNoise : 0.0);
     const auto seconds = usualSeconds(figures, method);
-    if (row == nullptr || !seconds) continue;
-    points.push_back({methodLabel(method) + std::string(isExhaustive(method) ? " (scaled)" : ""),
-                      *seconds, row->errors.visibleMse, false, noisy,
-                      isRefined(method) ? kRefined : kSearch});
+    for (const bool noisy : {true, false}) {
+      const auto* row = figuresOf(figures.methods, method, noisy ? kUsualNoise : 0.0);
+      if (row == nullptr || !seconds || !isDrawnAt(method, noisy)) continue;
+      points.push_back({methodLabel(method) + std::string(isExhaustive(method) ? " (scaled)" : ""),
+                        *seconds, row->errors.visibleMse, false, noisy, colorOf(method)});
+    }
   }
   for (const PublishedFigures& row : kPublished) {
     points.push_back({"paper: " + std::string(row.method), row.secondsFor2048, row.visibleMse, true,
@@ -157,9 +171,8 @@ void drawKey(Drawing& drawing) {
     drawing.text({x + 12.0, y}, words, kLabel, Anchor::start);
     x += 12.0 + textWidth(words, kLabel.size) + 26.0;
   };
-  entry(false, true, kRefined, "refined fit, 0.5 % noise");
-  entry(false, false, kRefined, "refined fit, no noise");
-  entry(false, false, kSearch, "table search, no noise");
+  entry(false, true, kInk, "0.5 % noise");
+  entry(false, false, kInk, "no noise");
   entry(true, false, kPaper, "published by the paper, no noise");
 }
 
@@ -172,6 +185,23 @@ std::string described(const std::vector<PlotPoint>& points) {
   return text;
 }
 
+// Words as lines that fit a width.
+std::vector<std::string> wrapped(const std::string& words, double size, double width) {
+  std::vector<std::string> lines(1);
+  for (std::size_t from = 0; from < words.size();) {
+    const std::size_t end = std::min(words.find(' ', from), words.size());
+    const std::string word = words.substr(from, end - from);
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (textWidth(longer, size) > width && !lines.back().empty()) {
+      lines.push_back(word);
+    } else {
+      lines.back() = longer;
+    }
+    from = end + 1;
+  }
+  return lines;
+}
+
 void drawNotes(Drawing& drawing, const BenchFigures& figures) {
   const std::string processor = figures.processor.empty() ? "unknown processor" : figures.processor;
   const std::string machine = "Measured on " + processor + ", " + figures.instructionSet + ", " +
@@ -182,10 +212,16 @@ void drawNotes(Drawing& drawing, const BenchFigures& figures) {
   const std::string scaled = "Exhaustive searches are scaled from " +
                              std::to_string(figures.subsample) +
                              " pixels. Memory is what the fit holds besides the photographs.";
-  const double room = kPanels.right - kPanels.left;
-  drawing.text({kPanels.left, kHeight - 32.0}, shortened(machine, kNote.size, room), kNote,
-               Anchor::start);
-  drawing.text({kPanels.left, kHeight - 16.0}, scaled, kNote, Anchor::start);
+  std::vector<std::string> notes = noiseRemarks(figures);
+  notes.push_back(machine);
+  notes.push_back(scaled);
+  double y = kPanels.bottom + 26.0;
+  for (const std::string& note : notes) {
+    for (const std::string& line : wrapped(note, kNote.size, kPanels.right - kPanels.left)) {
+      drawing.text({kPanels.left, y}, line, kNote, Anchor::start);
+      y += kNoteLine;
+    }
+  }
 }
 
 }  // namespace

@@ -120,6 +120,41 @@ Json picturesOf(const std::vector<PictureFigures>& pictures) {
   return array;
 }
 
+Json networksOf(const std::vector<NetworkFigures>& networks) {
+  Json array = Json::array();
+  for (const NetworkFigures& row : networks) {
+    Json object = {{"lights", row.lights},
+                   {"channels", row.channels},
+                   {"weights", row.weights},
+                   {"multiply_adds_per_pixel", row.workPerPixel},
+                   {"spectra_network",
+                    {{"visible_mse", row.decoded.visible},
+                     {"ultraviolet_mse", row.decoded.ultraviolet},
+                     {"near_infrared_mse", row.decoded.nearInfrared}}},
+                   {"size", row.size},
+                   {"encode_seconds", row.encodeSeconds},
+                   {"encode_decode_seconds", row.bothSeconds}};
+    for (const NetworkFigures::AtNoise& at : row.errors) {
+      object["errors"].push_back({{"noise", at.noise},
+                                  {"encode_visible_mse", at.encodedMse},
+                                  {"encode_decode_visible_mse", at.bothMse}});
+    }
+    array.push_back(object);
+  }
+  return array;
+}
+
+Json startsOf(const std::vector<StartFigures>& starts) {
+  Json array = Json::array();
+  for (const StartFigures& row : starts) {
+    array.push_back({{"start", row.start},
+                     {"visible_mse", row.visibleMse},
+                     {"mean_iterations", row.meanIterations},
+                     {"ns_per_pixel", row.nanosecondsPerPixel}});
+  }
+  return array;
+}
+
 Json publishedFigures() {
   Json array = Json::array();
   for (const PublishedFigures& row : kPublished) {
@@ -155,9 +190,12 @@ Status writeBenchReport(const std::filesystem::path& path, const BenchFigures& f
   root["bounds"] = boundsOf(figures.bounds);
   root["methods"] = methodsOf(figures.methods);
   root["sample"] = methodsOf(figures.sample);
+  root["networks"] = networksOf(figures.networks);
+  if (figures.trainingSeconds) root["training_seconds"] = *figures.trainingSeconds;
   root["coverage"] = coverageOf(figures.coverage);
   root["lights"] = variantsOf(figures.lights);
   root["parameters"] = variantsOf(figures.parameters);
+  root["starts"] = startsOf(figures.starts);
   root["encodings"] = variantsOf(figures.encodings);
   root["sizes"] = picturesOf(figures.sizes);
   root["scaling"] = picturesOf(figures.scaling);

@@ -4,6 +4,7 @@
 
 #include "src/cli/bench_errors.h"
 #include "src/cli/bench_goals.h"
+#include "src/cli/bench_remarks.h"
 #include "src/cli/console.h"
 #include "src/cli/text_table.h"
 #include "src/files/csv.h"
@@ -162,6 +163,36 @@ std::string pictureTable(const std::vector<PictureFigures>& pictures) {
   return table.text();
 }
 
+std::string perPixel(double seconds, int size) {
+  return rounded(1e9 * seconds / (static_cast<double>(size) * size));
+}
+
+std::string networkErrors(const std::vector<NetworkFigures>& networks) {
+  TextTable table({"lights", "channels", "noise", "encode", "encode + decode"});
+  for (const NetworkFigures& row : networks) {
+    for (const NetworkFigures::AtNoise& at : row.errors) {
+      const bool first = &at == &row.errors.front();
+      table.add({first ? std::to_string(row.lights) : "", first ? std::to_string(row.channels) : "",
+                 percent(at.noise), shortScientific(at.encodedMse), shortScientific(at.bothMse)});
+    }
+  }
+  return table.text();
+}
+
+std::string networkCosts(const std::vector<NetworkFigures>& networks) {
+  TextTable table({"lights", "channels", "SpectraNN vis", "UV", "NIR", "weights", "work/pixel",
+                   "picture", "encode", "encode + decode", "ns/pixel"});
+  for (const NetworkFigures& row : networks) {
+    table.add({std::to_string(row.lights), std::to_string(row.channels),
+               shortScientific(row.decoded.visible), shortScientific(row.decoded.ultraviolet),
+               shortScientific(row.decoded.nearInfrared), std::to_string(row.weights),
+               std::to_string(row.workPerPixel), std::to_string(row.size) + "²",
+               fixedNumber(row.encodeSeconds, 3) + " s", fixedNumber(row.bothSeconds, 3) + " s",
+               perPixel(row.bothSeconds, row.size)});
+  }
+  return table.text();
+}
+
 std::string usual() {
   return "at " + percent(kUsualNoise) + " noise";
 }
@@ -189,6 +220,26 @@ std::string boundTables(const BenchFigures& figures) {
          heading("Bayesian Cramér-Rao bound of the MSE") + boundRows(figures);
 }
 
+std::string networkTable(const BenchFigures& figures) {
+  if (figures.networks.empty()) {
+    return "\nNo networks are built in for this profile; the whole run, without --quick, trains "
+           "some.\n";
+  }
+  std::string text =
+      heading(
+          "Networks, vis MSE; encode: ChromNN, then the skin model, as fit --method network; + "
+          "decode: then SpectraNN") +
+      networkErrors(figures.networks) +
+      heading(
+          "Networks, vis, UV and NIR MSE of SpectraNN by itself, and what a picture takes to the "
+          "channels of its rig; work: multiply-adds") +
+      networkCosts(figures.networks);
+  if (figures.trainingSeconds) {
+    text += "  training both for a new rig: " + fixedNumber(*figures.trainingSeconds, 1) + " s\n";
+  }
+  return text;
+}
+
 std::string methodTables(const BenchFigures& figures) {
   std::string text =
       heading("Errors, pixels drawn from the protocol's population") + errorTable(figures.methods);
@@ -196,6 +247,8 @@ std::string methodTables(const BenchFigures& figures) {
     text += "  three stages, exhaustive, over refined, wide prior, " + usual() + ": " +
             formatNumber(*figures.speedRatio, 3) + " times the time\n";
   }
+  for (const std::string& remark : noiseRemarks(figures))
+    text += "  " + remark + "\n";
   text += heading("Root mean square errors of parameters, " + usual()) + parameterErrors(figures);
   return text +
          heading("Vis MSE and median dE D65 by skin tone (ITA° over 41, 10, -30, below), " +
@@ -225,6 +278,15 @@ std::string parameterTable(const BenchFigures& figures) {
              "Carotene held at 0 against five parameters (paper: Fig. 13, RMSE 0.0311 of a "
              "photograph with four, 0.0164 with five)") +
          variantTable(figures.parameters, "parameters");
+}
+
+std::string startTable(const BenchFigures& figures) {
+  TextTable table({"start", "vis MSE", "steps", "ns/pixel"});
+  for (const StartFigures& row : figures.starts) {
+    table.add({row.start, shortScientific(row.visibleMse), fixedNumber(row.meanIterations, 2),
+               rounded(row.nanosecondsPerPixel)});
+  }
+  return heading("Where the refined fit begins, wide prior, " + usual()) + table.text();
 }
 
 std::string encodingTable(const BenchFigures& figures) {

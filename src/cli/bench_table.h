@@ -13,6 +13,8 @@ namespace cutis {
 std::string benchHeader(const BenchFigures& figures);
 // The bound, and what the paper published.
 std::string boundTables(const BenchFigures& figures);
+// Networks by themselves: what each half of them leaves, and what they cost.
+std::string networkTable(const BenchFigures& figures);
 // Errors of the methods; of their parameters; by skin tone.
 std::string methodTables(const BenchFigures& figures);
 std::string sampleTable(const BenchFigures& figures);
@@ -20,6 +22,7 @@ std::string coverageTables(const BenchFigures& figures);
 // Empty for a rig whose lights cannot be compared.
 std::string lightTable(const BenchFigures& figures);
 std::string parameterTable(const BenchFigures& figures);
+std::string startTable(const BenchFigures& figures);
 std::string encodingTable(const BenchFigures& figures);
 std::string sizeTable(const BenchFigures& figures);
 std::string scalingTable(const BenchFigures& figures);

@@ -14,6 +14,7 @@ inline constexpr char kGridColor[] = "#e3e7eb";
 inline constexpr char kFrameColor[] = "#aab2bb";
 // Apart in hue and in lightness, for readers who do not tell all hues.
 inline constexpr char kRefined[] = "#c2410c";
+inline constexpr char kNetwork[] = "#8b2fa0";
 inline constexpr char kSearch[] = "#5b6672";
 inline constexpr char kPaper[] = "#1f4e9c";
 inline constexpr char kBound[] = "#14804a";

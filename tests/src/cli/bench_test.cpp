@@ -13,7 +13,7 @@
 namespace cutis::test {
 namespace {
 
-constexpr std::size_t kMethods = 7;
+constexpr std::size_t kMethods = 8;
 constexpr std::size_t kNoises = 5;
 // The exact setting is judged without noise alone.
 constexpr std::size_t kRows = (kMethods - 1) * kNoises + 1;
@@ -33,6 +33,7 @@ class BenchTest : public QObject {
          {"version",   "processor",   "isa",        "threads",      "profile", "rig",
           "pixels",    "subsample",   "quick",      "bounds",       "methods", "sample",
           "coverage",  "lights",      "parameters", "encodings",    "sizes",   "scaling",
+          "networks",  "starts",
           "published", "speed_ratio", "goals",      "first_picture"}) {
       QVERIFY2(report_.contains(key), key);
     }
@@ -88,11 +89,39 @@ class BenchTest : public QObject {
          {"refined_seconds", "first_picture_seconds", "over_bound_population", "over_bound_wide",
           "exact_visible_mse", "exact_seconds", "coverage_measured_wide", "coverage_elsewhere_wide",
           "coverage_measured_population", "coverage_elsewhere_population", "speed_ratio",
-          "three_stage_microseconds", "full_search_microseconds"}) {
+          "three_stage_microseconds", "full_search_microseconds", "network_visible_mse",
+          "spectra_network_visible_mse", "network_seconds"}) {
       QVERIFY2(std::find(keys.begin(), keys.end(), key) != keys.end(), key);
     }
     // Only smaller pictures were run.
     QVERIFY(outcome_.output.find("scaled from 1024²") != std::string::npos);
+  }
+
+  // Of all lights and of white light alone; each noise, the paper's protocol of none first.
+  void networksAreJudged() {
+    QCOMPARE(report_["networks"].size(), std::size_t{2});
+    for (const auto& row : report_["networks"]) {
+      QCOMPARE(row["channels"].get<int>(), 3 * row["lights"].get<int>());
+      QCOMPARE(row["errors"].size(), kNoises);
+      // What the shipped networks are known to reach, with room for 200 people by chance.
+      QVERIFY(row["spectra_network"]["visible_mse"].get<double>() < 2e-7);
+      QVERIFY(row["errors"][0]["encode_decode_visible_mse"].get<double>() < 1e-5);
+      QVERIFY(row["encode_seconds"].get<double>() < row["encode_decode_seconds"].get<double>());
+    }
+    // ChromNN and the skin model, once as networks and once as a method of fitting.
+    for (std::size_t i = 0; i < kNoises; ++i) {
+      const double once = report_["networks"][0]["errors"][i]["encode_visible_mse"];
+      const double again = errorsOf("network")[i];
+      QVERIFY2(std::abs(once - again) < 1e-6 * again, std::to_string(again).c_str());
+    }
+  }
+
+  // Another start changes the way, not the answer.
+  void startsLeadToTheSameErrors() {
+    QVERIFY(report_["starts"].size() == 3);
+    const double own = report_["starts"][0]["visible_mse"];
+    for (const auto& row : report_["starts"])
+      QVERIFY(std::abs(row["visible_mse"].get<double>() - own) < 0.05 * own);
   }
 
   void coverageIsPooled() {
@@ -111,9 +140,10 @@ class BenchTest : public QObject {
     std::size_t from = 0;
     for (const char* heading :
          {"cutis-cli " CUTIS_VERSION " bench --quick", "What the paper published", "Bayesian",
+          "Networks, vis MSE", "SpectraNN by itself",
           "drawn from the protocol's population", "errors of parameters", "by skin tone",
           "pixels of the sample", "two posterior deviations", "White light alone",
-          "Carotene held at 0", "Kinds of input", "pictures by size", "pictures by threads",
+          "Carotene held at 0", "refined fit begins", "Kinds of input", "pictures by size", "pictures by threads",
           "What was to be reached"}) {
       const auto found = outcome_.output.find(heading, from);
       QVERIFY2(found != std::string::npos, heading);
@@ -155,7 +185,7 @@ class BenchTest : public QObject {
   void thePlotNamesItsPoints() {
     const std::string plot = run_.read("bench.svg");
     QVERIFY(plot.starts_with("<svg"));
-    for (const char* part : {"refined, wide prior", "refined, exact", "paper: network", "Bayesian",
+    for (const char* part : {"refined, wide prior", "refined, exact", "paper: network", "Bayesian", "own population",
                              "full search, exhaustive (scaled)", "Memory, MB", "threads"})
       QVERIFY2(plot.find(part) != std::string::npos, part);
   }
