@@ -37,7 +37,8 @@ Status loadFirstPixels(const Plane& plane, const BlockGrid& grid, std::vector<fl
   std::vector<float> line(static_cast<std::size_t>(grid.rect.width()));
   for (int y = grid.rect.y0; y < grid.rect.y1; y += kCoarseBlock) {
     CUTIS_CHECK(plane.load({grid.rect.x0, y, grid.rect.x1, y + 1}, line));
-    for (std::size_t c = 0; c < grid.columns; ++c) values.push_back(line[c * kCoarseBlock]);
+    for (std::size_t c = 0; c < grid.columns; ++c)
+      values.push_back(line[c * kCoarseBlock]);
   }
   return {};
 }
@@ -59,14 +60,16 @@ Result<BlockValues> solveBlocks(const Measurements& measurements, const PixelSol
   std::vector<std::size_t> blocks;
   std::vector<float> pixel(channelCount);
   for (std::size_t b = 0; b < grid.count(); ++b) {
-    for (std::size_t k = 0; k < channelCount; ++k) pixel[k] = loaded[k * grid.count() + b];
+    for (std::size_t k = 0; k < channelCount; ++k)
+      pixel[k] = loaded[k * grid.count() + b];
     if (isToSolve(states[b]) && classify(pixel, 1.0f, false) == PixelState::solved) {
       blocks.push_back(b);
     }
   }
-  std::vector<float> channels, parameters(kParameterCount * blocks.size());
+  std::vector<float> channels, parameters(solver.valueCount() * blocks.size());
   for (std::size_t k = 0; k < channelCount; ++k) {
-    for (const std::size_t b : blocks) channels.push_back(loaded[k * grid.count() + b]);
+    for (const std::size_t b : blocks)
+      channels.push_back(loaded[k * grid.count() + b]);
   }
   std::vector<std::uint8_t> solvedStates(blocks.size());
   std::vector<std::uint16_t> iterations(blocks.size());
@@ -96,7 +99,8 @@ Status fillTile(const Measurements& measurements, const BlockGrid& grid, const B
   }
   for (std::size_t k = 0; k < kParameterCount; ++k) {
     for (std::size_t i = 0; i < plane.size(); ++i) {
-      plane[i] = isToSolve(states[i]) ? values.parameters[k * grid.count() + grid.blockOf(i)] : 0.0f;
+      plane[i] =
+          isToSolve(states[i]) ? values.parameters[k * grid.count() + grid.blockOf(i)] : 0.0f;
     }
     CUTIS_CHECK(maps.values[k].store(grid.rect, plane));
   }

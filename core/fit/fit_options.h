@@ -6,6 +6,7 @@
 
 #include "core/base/plane.h"
 #include "core/rig/rig.h"
+#include "core/skin/free_constants.h"
 #include "core/skin/prior.h"
 
 namespace cutis {
@@ -24,7 +25,10 @@ struct FitOptions {
   // Standard deviation of a further factor per pixel on all channels, of which 1 is expected; none:
   // the photographs show pure albedo (refined only, core/fit/shading.h).
   std::optional<double> shading;
-  bool deviations = false;  // posterior standard deviations per parameter (refined only)
+  // Constants of the profile that are found for each pixel, too (refined only, without shading;
+  // core/fit/free_solver.h).
+  FreeConstants free;
+  bool deviations = false;  // posterior standard deviations per value (refined only)
   bool residuals = false;   // measured minus modelled per channel
   PixelFormat mapFormat = PixelFormat::float32;
   // What encodes (network only); none: the one that is built in for rig and profile.

@@ -35,7 +35,8 @@ class TileFit {
         planes_(planes),
         rect_(rect),
         pixelCount_(rect.pixelCount()),
-        channelCount_(measurements.channels.size()) {}
+        channelCount_(measurements.channels.size()),
+        valueCount_(solver.valueCount()) {}
 
   Result<TileResult> run(const JobContext& context) {
     CUTIS_CHECK(load());
@@ -99,7 +100,8 @@ class TileFit {
         case PixelState::noConvergence:
           break;
       }
-      for (std::size_t k = 0; k < channelCount_; ++k) values[k] = channels_[k * pixelCount_ + i];
+      for (std::size_t k = 0; k < channelCount_; ++k)
+        values[k] = channels_[k * pixelCount_ + i];
       if (classify(values, 1.0f, false) != PixelState::solved) {
         states_[i] = static_cast<float>(PixelState::invalid);
         ++result_.pixels.invalid;
@@ -119,11 +121,11 @@ class TileFit {
             channels_[k * pixelCount_ + grouping.representatives[g]];
       }
     }
-    solutions.parameters.resize(kParameterCount * solutions.count);
+    solutions.parameters.resize(valueCount_ * solutions.count);
     solutions.states.resize(solutions.count);
     solutions.iterations.resize(solutions.count);
     if (!planes_.deviations.empty()) {
-      solutions.deviations.resize(kParameterCount * solutions.count);
+      solutions.deviations.resize(valueCount_ * solutions.count);
     }
     if (!planes_.residuals.empty()) solutions.residuals.resize(channelCount_ * solutions.count);
     if (!planes_.shading.empty()) solutions.shading.resize(solutions.count);
@@ -137,11 +139,11 @@ class TileFit {
       result_.iterations += n;
       result_.maximumIterations = std::max(result_.maximumIterations, int{n});
     }
-    values_.assign(kParameterCount * pixelCount_, 0.0f);
-    spread(grouping, solutions.parameters, solutions.count, kParameterCount, values_);
+    values_.assign(valueCount_ * pixelCount_, 0.0f);
+    spread(grouping, solutions.parameters, solutions.count, valueCount_, values_);
     if (!planes_.deviations.empty()) {
-      deviations_.assign(kParameterCount * pixelCount_, 0.0f);
-      spread(grouping, solutions.deviations, solutions.count, kParameterCount, deviations_);
+      deviations_.assign(valueCount_ * pixelCount_, 0.0f);
+      spread(grouping, solutions.deviations, solutions.count, valueCount_, deviations_);
     }
     if (!planes_.residuals.empty()) {
       residuals_.assign(channelCount_ * pixelCount_, 0.0f);
@@ -181,12 +183,13 @@ class TileFit {
     const auto pick = [&](const std::vector<float>& rows, std::size_t rowCount) {
       std::vector<float> picked;
       for (std::size_t k = 0; k < rowCount; ++k) {
-        for (const std::uint32_t group : groups) picked.push_back(rows[k * solutions.count + group]);
+        for (const std::uint32_t group : groups)
+          picked.push_back(rows[k * solutions.count + group]);
       }
       return picked;
     };
     const std::vector<float> channels = pick(solutions.channels, channelCount_);
-    std::vector<float> parameters = pick(solutions.parameters, kParameterCount);
+    std::vector<float> parameters = pick(solutions.parameters, valueCount_);
     std::vector<float> residuals(channels.size());
     solver_.residuals({groups.size(), groups.size(), channels.data(), parameters.data()},
                       residuals.data());
@@ -202,8 +205,9 @@ class TileFit {
   }
 
   Status store() {
-    for (std::size_t k = 0; k < kParameterCount; ++k) {
-      CUTIS_CHECK(planes_.maps.values[k].store(rect_, row(values_, k)));
+    std::vector<Plane> values = planes_.maps.planes();
+    for (std::size_t k = 0; k < valueCount_; ++k) {
+      CUTIS_CHECK(values[k].store(rect_, row(values_, k)));
       if (!planes_.deviations.empty()) {
         CUTIS_CHECK(planes_.deviations[k].store(rect_, row(deviations_, k)));
       }
@@ -225,6 +229,7 @@ class TileFit {
   const Rect rect_;
   const std::size_t pixelCount_;
   const std::size_t channelCount_;
+  const std::size_t valueCount_;
   std::vector<float> channels_, states_, values_, deviations_, residuals_, shading_;
   std::vector<std::uint32_t> pixels_;
   TileResult result_;
@@ -264,16 +269,19 @@ FitStatistics combine(const std::vector<TileResult>& tiles) {
 
 FitPlanes::FitPlanes(const Measurements& measurements, const FitOptions& options,
                      const std::shared_ptr<TileStore>& store)
-    : maps(measurements.width(), measurements.height(), options.mapFormat, store) {
+    : maps(measurements.width(), measurements.height(), options.mapFormat, store, options.free) {
   const auto plane = [&] {
     return Plane(measurements.width(), measurements.height(), options.mapFormat, store);
   };
   if (options.deviations) {
-    for (int k = 0; k < kParameterCount; ++k) deviations.push_back(plane());
+    const int values = kParameterCount + options.free.count();
+    for (int k = 0; k < values; ++k)
+      deviations.push_back(plane());
   }
   if (options.shading) shading = plane();
   if (options.residuals) {
-    for (std::size_t k = 0; k < measurements.channels.size(); ++k) residuals.push_back(plane());
+    for (std::size_t k = 0; k < measurements.channels.size(); ++k)
+      residuals.push_back(plane());
   }
 }
 

@@ -3,8 +3,8 @@
 // Solving a whole picture: which pixels, in which order, each how often.
 //
 // Tiles are independent and run on all cores, those in view first. Masked, black, saturated and
-// non-finite pixels are never solved; equal pixels of a tile are solved once. What was done and what
-// was skipped is counted.
+// non-finite pixels are never solved; equal pixels of a tile are solved once. What was done and
+// what was skipped is counted.
 
 #include <cstdint>
 #include <functional>
@@ -25,7 +25,7 @@ namespace cutis {
 // What a fit writes. Planes are handles: a view may show them while they fill.
 struct FitPlanes {
   ChromophoreMaps maps;
-  std::vector<Plane> deviations;  // one per parameter, or none
+  std::vector<Plane> deviations;  // one per parameter and then per free constant, or none
   std::vector<Plane> residuals;   // one per channel, or none
   Plane shading;                  // factor on all channels; empty unless it was estimated
 
@@ -55,7 +55,8 @@ struct FitStatistics {
 struct FitObserver {
   // A rectangle of the planes has its final values. Called from any thread.
   std::function<void(const Rect&)> finished;
-  // What somebody looks at now, in pixels: tiles near its middle come first. Called from any thread.
+  // What somebody looks at now, in pixels: tiles near its middle come first. Called from any
+  // thread.
   std::function<Rect()> view;
 };
 

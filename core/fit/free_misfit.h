@@ -3,9 +3,9 @@
 // The model at measured wavelengths with constants of the profile as further coordinates, and the
 // normal equations of its misfit: the inner part of core/fit/free_spectra_fit.cpp.
 //
-// A set is the five parameters and then, in this order as far as they are free, oxygenation and
-// thickness as coordinates from 0 to 1: γ itself, and the place of the logarithm of the thickness in
-// its range. Derivatives are by the coordinates of core/fit/spectra_equations.h and these.
+// A set is the five parameters and then the places of the free constants
+// (core/skin/constant_places.h). Derivatives are by the coordinates of core/fit/spectra_equations.h
+// and these places.
 
 #include <array>
 #include <cstddef>
@@ -19,10 +19,8 @@
 #include "core/fit/equation_sums.h"
 #include "core/fit/measured_rows.h"
 #include "core/skin/free_constants.h"
-#include "core/skin/measurement_geometry.h"
 #include "core/skin/skin_model.h"
-#include "core/skin/variable_blood.h"
-#include "core/skin/variable_layers.h"
+#include "core/skin/variable_skin.h"
 
 namespace cutis {
 
@@ -33,14 +31,14 @@ class FreeMisfit {
   static constexpr int kCoordinates = N;
   using Set = Eigen::Array<double, N, 1>;
 
-  // wavelengthsNm: increasing, within the grid. edgeLossPerMm as in SpectralMisfit. The model
-  // outlives the misfit. Errors: those of VariableLayers::make.
+  // wavelengthsNm: increasing, within the grid. edgeLossPerMm as in SpectralMisfit. Errors:
+  // those of VariableSkin::make.
   static Result<FreeMisfit> make(const SkinModel& model, std::span<const double> wavelengthsNm,
                                  const FreeConstants& free, double edgeLossPerMm,
                                  const JobContext& context);
 
   std::size_t wavelengthCount() const { return rows_.rows.size(); }
-  const ParameterAxes& axes() const { return model_->profile().axes; }
+  const ParameterAxes& axes() const { return skin_.axes(); }
 
   // Between a set and the constants it stands for; what is not free is the profile's.
   SkinConstants constantsAt(const Set& set) const;
@@ -53,27 +51,12 @@ class FreeMisfit {
                                         std::span<const double* const> measured) const;
 
  private:
-  FreeMisfit(const SkinModel& model, MeasuredRows rows, const FreeConstants& free,
-             VariableLayers layers, double edgeLossPerMm);
+  FreeMisfit(const SkinModel& model, MeasuredRows rows, VariableSkin skin);
 
-  // Of all sets at the samples; [sample][set].
-  struct States {
-    std::vector<double> thicknessMm;  // [set]
-    VariableBlood::Values blood;
-    std::vector<double> epidermal, dermal;  // absorption; the dermis's as it acts
-    std::vector<double> edgeSlope;          // of the dermis's acting absorption by its own
-  };
-  States statesOf(std::span<const Set> sets) const;
+  VariableSpectra evaluate(std::span<const Set> sets, bool derivatives) const;
 
-  const SkinModel* model_;
   MeasuredRows rows_;
-  int oxygenationAt_, thicknessAt_;  // in a set, or −1
-  ThicknessRange thickness_;
-  double logThicknessRange_ = 0.0;
-  MeasurementGeometry edge_;  // its edge loss alone
-  VariableBlood blood_;
-  VariableLayers layers_;
-  std::vector<double> dermalScattering_;                     // at the samples
+  VariableSkin skin_;
   std::vector<std::array<double, kParameterCount>> slopes_;  // per coordinate, at the samples
 };
 

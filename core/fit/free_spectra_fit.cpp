@@ -1,7 +1,6 @@
 #include "core/fit/free_spectra_fit.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/fit/free_misfit.h"
 #include "core/fit/spectra_search.h"
@@ -13,9 +12,6 @@ namespace {
 constexpr int kSamples = 8192;
 // Shares of the progress: the fit with the profile's own constants, and the tables of the layers.
 constexpr double kOwnShare = 0.1, kTablesShare = 0.2;
-// Fractions of these spread points over the free constants, evenly beside those that spread the
-// parameters.
-constexpr double kTurns[] = {0.41421356237309515, 0.7320508075688772};
 
 template <int N>
 std::vector<SearchPoint<N>> samplesOf(const ParameterAxes& axes) {
@@ -23,10 +19,8 @@ std::vector<SearchPoint<N>> samplesOf(const ParameterAxes& axes) {
   std::vector<SearchPoint<N>> samples(sets.size());
   for (std::size_t i = 0; i < sets.size(); ++i) {
     samples[i].template head<kParameterCount>() = sets[i];
-    for (int k = kParameterCount; k < N; ++k) {
-      const double turn = kTurns[k - kParameterCount] * static_cast<double>(i + 1);
-      samples[i][k] = turn - std::floor(turn);
-    }
+    for (int k = kParameterCount; k < N; ++k)
+      samples[i][k] = samplePlace(k - kParameterCount, static_cast<int>(i));
   }
   return samples;
 }
@@ -52,9 +46,9 @@ Result<std::vector<FreeSpectrumFit>> fitFrom(const std::vector<SpectrumFit>& own
   std::vector<SearchPoint<N>> known;
   for (const SpectrumFit& fit : own)
     known.push_back(misfit.setAt(fit.parameters, constantsOf(model.profile())));
-  CUTIS_TRY(found, searchSpectra(misfit, samplesOf<N>(misfit.axes()), {known},
-                                 asModelled(geometry, reflectances),
-                                 context.child(kTablesShare, 1.0)));
+  CUTIS_TRY(found,
+            searchSpectra(misfit, samplesOf<N>(misfit.axes()), {known},
+                          asModelled(geometry, reflectances), context.child(kTablesShare, 1.0)));
   std::vector<FreeSpectrumFit> fits;
   for (const FoundPoint<N>& one : found) {
     fits.push_back({{one.point.template head<kParameterCount>(), geometry.enteringShare * one.rmse},
@@ -76,8 +70,8 @@ Result<std::vector<FreeSpectrumFit>> fitSpectraFreely(const SkinModel& model,
                                                       const JobContext& context,
                                                       const MeasurementGeometry& geometry) {
   const double ownEnd = free.count() > 0 ? kOwnShare : 1.0;
-  CUTIS_TRY(own, fitSpectra(model, wavelengthsNm, reflectances, context.child(0.0, ownEnd),
-                            geometry));
+  CUTIS_TRY(own,
+            fitSpectra(model, wavelengthsNm, reflectances, context.child(0.0, ownEnd), geometry));
   if (free.count() == 1) {
     return fitFrom<kParameterCount + 1>(own, model, wavelengthsNm, reflectances, free, context,
                                         geometry);

@@ -10,6 +10,12 @@ void PixelSolver::evaluateChannels(const PixelBatch& batch, float* modelled) con
   for (std::size_t k = 0; k < parameters.values.size(); ++k) {
     parameters.values[k] = batch.parameters + k * batch.stride;
   }
+  std::size_t next = parameters.values.size();
+  for (const SkinConstant constant : kSkinConstants) {
+    if (free().has(constant)) {
+      parameters.constants[constant] = batch.parameters + next++ * batch.stride;
+    }
+  }
   std::vector<float*> rows;
   for (int k = 0; k < channelCount(); ++k) {
     rows.push_back(modelled + static_cast<std::size_t>(k) * batch.stride);

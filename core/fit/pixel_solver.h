@@ -1,6 +1,7 @@
 #pragma once
 
-// One interface for all methods: channels of a batch of pixels in, parameters out.
+// One interface for all methods: channels of a batch of pixels in, parameters out, and the
+// constants of the profile that are free.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,13 +14,13 @@
 
 namespace cutis {
 
-// Pixels side by side: one row of `stride` floats per channel or parameter, of which the first
-// `count` count.
+// Pixels side by side: one row of `stride` floats per channel or value, of which the first `count`
+// count. Values are the parameters and then, in the order of SkinConstant, the free constants.
 struct PixelBatch {
   std::size_t count = 0;
   std::size_t stride = 0;
   const float* channels = nullptr;  // [channel][stride], finite and not negative
-  float* parameters = nullptr;      // [parameter][stride], in the parameters' units
+  float* parameters = nullptr;      // [value][stride], in the values' units
 };
 
 // What solving says about each pixel beside its parameters.
@@ -37,7 +38,7 @@ class PixelSolver {
   // Writes batch.parameters.
   virtual void solve(const PixelBatch& batch, const SolveReport& report) const = 0;
 
-  // Posterior standard deviations at batch.parameters, in the parameters' units: [parameter][stride].
+  // Posterior standard deviations at batch.parameters, in the values' units: [value][stride].
   // Precondition: hasDeviations().
   virtual void deviations(const PixelBatch& batch, float* deviations) const = 0;
   virtual bool hasDeviations() const = 0;
@@ -55,6 +56,11 @@ class PixelSolver {
   int nodeCount() const { return static_cast<int>(nodes().samples.size()); }
   const SpectralNodes& nodes() const { return channels_->nodes(); }
   int channelCount() const { return channels_->rowCount(); }
+  FreeConstants free() const { return channels_->free(); }
+  // Rows of PixelBatch::parameters.
+  std::size_t valueCount() const {
+    return static_cast<std::size_t>(kParameterCount + free().count());
+  }
 
  protected:
   // channels: the rows of the rig.

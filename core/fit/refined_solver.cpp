@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/fit/assumed_noise.h"
 #include "core/fit/exact_finish.h"
 #include "core/fit/posterior_kernel.h"
 #include "core/fit/started_fit.h"
@@ -15,53 +16,23 @@
 namespace cutis {
 namespace {
 
-constexpr double kNodeTolerance = 1e-5;
-constexpr double kExactNodeTolerance = 1e-6;
-// The least noise that is assumed: stands in for "none" where none is asked for, and for read noise
-// in channels that are all but black, whose proportional noise would be nothing.
-constexpr double kExactNoise = 1e-6;
-// The same where there are fewer channels than parameters: the prior then decides along a curved
-// valley, which the fit can only follow if it is not all too narrow. Channels are met to a small
-// part of this.
-constexpr double kExactNoiseOfFewChannels = 1e-5;
-
-bool asksForExact(const Rig& rig, const FitOptions& options) {
-  return options.noise.value_or(rig.noise).isExact();
-}
-
-// Whether the channels alone could decide.
-bool hasEnoughChannels(const Rig& rig, const FitOptions& options) {
-  const auto seeing = (responseRows(rig) != 0.0).rowwise().any().count();
-  const auto fixed = std::count_if(options.fixed.begin(), options.fixed.end(),
-                                   [](const auto& value) { return value.has_value(); });
-  return seeing >= kParameterCount - fixed;
-}
-
-NoiseModel effectiveNoise(const Rig& rig, const FitOptions& options) {
-  const NoiseModel noise = options.noise.value_or(rig.noise);
-  const bool priorDecides = asksForExact(rig, options) && !hasEnoughChannels(rig, options);
-  return {std::max(noise.read, priorDecides ? kExactNoiseOfFewChannels : kExactNoise),
-          noise.proportional};
-}
-
 std::optional<ShadingModel> shadingOf(const Rig& rig, const FitOptions& options) {
   if (!options.shading) return {};
-  return ShadingModel{effectiveNoise(rig, options), *options.shading};
+  return ShadingModel{assumedNoise(rig, options), *options.shading};
 }
 
 class RefinedSolver final : public PixelSolver {
  public:
   RefinedSolver(std::shared_ptr<const SkinModel> model, const Rig& rig, const FitOptions& options)
       : PixelSolver(std::make_shared<ResponseModel>(
-            *model, responseRows(rig),
-            NodeOptions{asksForExact(rig, options) ? kExactNodeTolerance : kNodeTolerance,
-                                    int{kMaximumFitNodes}}),
+                        *model, responseRows(rig),
+                        NodeOptions{nodeTolerance(rig, options), int{kMaximumFitNodes}}),
                     shadingOf(rig, options)),
         model_(std::move(model)),
         prior_(options.prior.value_or(model_->profile().prior)),
-        noise_(effectiveNoise(rig, options)),
+        noise_(assumedNoise(rig, options)),
         single_(*model_, channelModel().nodes(), prior_, noise_, options) {
-    if (asksForExact(rig, options) && hasEnoughChannels(rig, options)) {
+    if (asksForExact(rig, options) && seeingChannelCount(rig) >= unknownCount(options)) {
       exact_ = std::make_unique<const ExactFinish>(*model_, channelModel().nodes(), prior_, noise_,
                                                    options);
     }
@@ -90,10 +61,11 @@ class RefinedSolver final : public PixelSolver {
       float* to = coordinates.data() + k * batch.stride;
       std::copy_n(from, batch.count, to);
       if (!single_.problem().isLog[k]) continue;
-      for (std::size_t i = 0; i < batch.count; ++i) to[i] = std::log(to[i]);
+      for (std::size_t i = 0; i < batch.count; ++i)
+        to[i] = std::log(to[i]);
     }
-    runPosteriorKernel(single_.problem(), {batch.count, batch.stride, batch.channels,
-                                           coordinates.data(), deviations});
+    runPosteriorKernel(single_.problem(),
+                       {batch.count, batch.stride, batch.channels, coordinates.data(), deviations});
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       if (!single_.problem().isLog[k]) continue;
       for (std::size_t i = 0; i < batch.count; ++i) {
@@ -110,7 +82,8 @@ class RefinedSolver final : public PixelSolver {
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       if (!single_.problem().isLog[k]) continue;
       float* row = batch.parameters + k * batch.stride;
-      for (std::size_t i = 0; i < batch.count; ++i) row[i] = std::exp(row[i]);
+      for (std::size_t i = 0; i < batch.count; ++i)
+        row[i] = std::exp(row[i]);
     }
   }
 

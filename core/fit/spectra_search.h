@@ -1,7 +1,7 @@
 #pragma once
 
-// Bounded least squares over the parameters of a spectrum, for five of them or with constants of the
-// profile as further coordinates: the inner part of core/fit/spectra_fit.cpp and
+// Bounded least squares over the parameters of a spectrum, for five of them or with constants of
+// the profile as further coordinates: the inner part of core/fit/spectra_fit.cpp and
 // core/fit/free_spectra_fit.cpp.
 //
 // A Misfit has kCoordinates, axes(), wavelengthCount(), spectra() and equations() as SpectralMisfit
@@ -22,6 +22,7 @@
 #include "core/base/parallel.h"
 #include "core/base/result.h"
 #include "core/fit/bounded_step.h"
+#include "core/fit/damping.h"
 #include "core/fit/equation_sums.h"
 #include "core/skin/parameter_axis.h"
 
@@ -33,9 +34,9 @@ using SearchPoint = Eigen::Array<double, N, 1>;
 namespace spectra_search {
 
 inline constexpr std::size_t kSpectraPerPiece = 16;
-// Of the samples of the box that searches begin among: little blood in the dermis and much of it may
-// fit a spectrum alike, with nothing lower between, so the nearest are taken from each of several
-// parts of its range.
+// Of the samples of the box that searches begin among: little blood in the dermis and much of it
+// may fit a spectrum alike, with nothing lower between, so the nearest are taken from each of
+// several parts of its range.
 inline constexpr std::size_t kParts = 4;
 inline constexpr std::size_t kStartsPerPart = 2;
 inline constexpr std::size_t kStarts = kParts * kStartsPerPart;
@@ -46,10 +47,6 @@ inline constexpr int kMaximumRounds = 200;
 // fit, less than this square per wavelength.
 inline constexpr double kRelativeGain = 1e-8;
 inline constexpr double kAbsoluteGain = 1e-18;
-inline constexpr double kFirstDamping = 1e-3;
-inline constexpr double kLeastDamping = 1e-12;
-// A step shorter than this is lost in rounding.
-inline constexpr double kMostDamping = 1e10;
 // Added to the diagonal, as a share of its sum: what does not act on the spectrum stays in place.
 inline constexpr double kRidge = 1e-14;
 
@@ -128,22 +125,20 @@ class SpectrumSearch {
   bool advance(const EquationsOf<N>& atTrial, const ParameterAxes& axes,
                std::size_t wavelengthCount) {
     if (atTrial.cost <= cost_) {
-      const double gained = cost_ - atTrial.cost;
-      damping_ *= gained > 0.75 * promised_ ? 0.1 : gained < 0.25 * promised_ ? 3.0 : 1.0;
-      damping_ = std::max(damping_, kLeastDamping);
+      damping_.accept(cost_ - atTrial.cost, promised_);
       parameters_ = trial_;
       cost_ = atTrial.cost;
       equations_ = atTrial;
       SearchChart<N>(parameters_, axes).turn(equations_);
       equations_.hessian.diagonal().array() += kRidge * equations_.hessian.trace();
     } else {
-      damping_ *= 10.0;
+      damping_.reject();
     }
-    if (++rounds_ > kMaximumRounds || damping_ > kMostDamping) return false;
+    if (++rounds_ > kMaximumRounds || damping_.exhausted()) return false;
     const SearchChart<N> chart(parameters_, axes);
     const double enough =
         kRelativeGain * cost_ + kAbsoluteGain * static_cast<double>(wavelengthCount);
-    const BoundedStep<N> next = stepFrom(chart, damping_);
+    const BoundedStep<N> next = stepFrom(chart, damping_.value());
     // Damping shortens steps; only without it a small promise means that the end is reached.
     if (next.decrease <= enough && stepFrom(chart, 0.0).decrease <= enough) return false;
     promised_ = next.decrease;
@@ -163,7 +158,7 @@ class SpectrumSearch {
   SearchPoint<N> parameters_ = SearchPoint<N>::Zero();
   double cost_ = std::numeric_limits<double>::infinity();
   EquationsOf<N> equations_;  // in the chart of parameters_
-  double damping_ = kFirstDamping;
+  Damping damping_;
   double promised_ = 0.0;
   int rounds_ = 0;
 };
@@ -210,7 +205,7 @@ class SearchStarts {
 
  private:
   std::vector<SearchPoint<N>> sets_;  // by dermal haemoglobin
-  Eigen::Index stride_ = 1;            // from one compared wavelength to the next
+  Eigen::Index stride_ = 1;           // from one compared wavelength to the next
   Eigen::MatrixXd spectra_;
   Eigen::VectorXd squares_;
 };
@@ -258,8 +253,8 @@ struct FoundPoint {
 template <typename Misfit>
 Result<std::vector<FoundPoint<Misfit::kCoordinates>>> searchSpectra(
     const Misfit& misfit, std::vector<SearchPoint<Misfit::kCoordinates>> samples,
-    std::span<const SearchPoint<Misfit::kCoordinates>> known,
-    std::span<const double> reflectances, const JobContext& context) {
+    std::span<const SearchPoint<Misfit::kCoordinates>> known, std::span<const double> reflectances,
+    const JobContext& context) {
   using namespace spectra_search;
   constexpr int N = Misfit::kCoordinates;
   using Search = SpectrumSearch<N>;

@@ -1,6 +1,7 @@
 #include "core/simulate/channel_model.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/skin/parameter_sampling.h"
@@ -26,7 +27,14 @@ Result<SpectrumRows> sampledSpectra(const SkinModel& model, int count, int first
 }  // namespace
 
 Result<ChannelModel> ChannelModel::create(const SkinModel& model, const Rig& rig,
-                                          const JobContext& context) {
+                                          const FreeConstants& free, const JobContext& context) {
+  if (free.count() > 0) {
+    CUTIS_TRY(variable,
+              VariableResponse::make(model, responseRows(rig), free, kNodeOptions, context));
+    ChannelModel channels(model, {}, rig.channelCount());
+    channels.variable_ = std::make_shared<const VariableResponse>(std::move(variable));
+    return channels;
+  }
   CUTIS_TRY(training, sampledSpectra(model, kTrainingCount, 0, context.child(0.0, 0.3)));
   CUTIS_TRY(checking,
             sampledSpectra(model, kCheckingCount, kTrainingCount, context.child(0.3, 0.5)));
@@ -47,6 +55,7 @@ ChannelModel::ChannelModel(const SkinModel& model, const SpectralNodes& nodes, i
 
 void ChannelModel::evaluate(const ParameterBatch<float>& batch, std::vector<float>& reflectance,
                             float* const* channels) const {
+  if (variable_ != nullptr) return variable_->evaluate(batch, {channels, channelCount()});
   reflectance.resize(batch.count * static_cast<std::size_t>(nodes_.nodeCount()));
   reflectanceBatch<float>(nodes_, batch, reflectance.data());
   for (std::size_t k = 0; k < weights_.size(); ++k) {
@@ -54,7 +63,8 @@ void ChannelModel::evaluate(const ParameterBatch<float>& batch, std::vector<floa
     for (std::size_t n = 0; n < weights_[k].size(); ++n) {
       const float weight = weights_[k][n];
       const float* values = reflectance.data() + n * batch.count;
-      for (std::size_t i = 0; i < batch.count; ++i) channels[k][i] += weight * values[i];
+      for (std::size_t i = 0; i < batch.count; ++i)
+        channels[k][i] += weight * values[i];
     }
   }
 }

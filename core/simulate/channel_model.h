@@ -5,6 +5,7 @@
 // simulation is asked for once and at once.
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "core/base/job_context.h"
@@ -13,6 +14,7 @@
 #include "core/skin/node_model.h"
 #include "core/skin/reflectance_batch.h"
 #include "core/skin/skin_model.h"
+#include "core/skin/variable_response.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
@@ -22,8 +24,10 @@ class ChannelModel {
  public:
   // Channels within about 1e-6 rms over the profile's whole range, 2e-5 at worst. About 50 ms for
   // nine channels.
+  // With constants of each pixel's own, as far as they are free: cost and errors are then those of
+  // VariableResponse::make.
   static Result<ChannelModel> create(const SkinModel& model, const Rig& rig,
-                                     const JobContext& context);
+                                     const FreeConstants& free, const JobContext& context);
 
   std::size_t channelCount() const { return weights_.size(); }
 
@@ -35,7 +39,8 @@ class ChannelModel {
   ChannelModel(const SkinModel& model, const SpectralNodes& nodes, int channelCount);
 
   NodeModel nodes_;
-  std::vector<std::vector<float>> weights_;  // by channel, then node
+  std::vector<std::vector<float>> weights_;           // by channel, then node
+  std::shared_ptr<const VariableResponse> variable_;  // instead of both, where something is free
 };
 
 }  // namespace cutis

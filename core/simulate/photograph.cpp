@@ -58,8 +58,13 @@ class TileExposure {
       const auto first = skin.present.begin() + static_cast<std::ptrdiff_t>(begin);
       const auto last = first + static_cast<std::ptrdiff_t>(batch.count);
       if (std::find(first, last, true) == last) continue;
-      for (const float*& values : batch.values) values += begin;
-      for (std::size_t k = 0; k < out.size(); ++k) out[k] = channels_[k].data() + begin;
+      for (const float*& values : batch.values)
+        values += begin;
+      for (const float*& values : batch.constants) {
+        if (values != nullptr) values += begin;
+      }
+      for (std::size_t k = 0; k < out.size(); ++k)
+        out[k] = channels_[k].data() + begin;
       scene_.model.evaluate(batch, reflectance, out.data());
     }
   }
@@ -82,8 +87,8 @@ class TileExposure {
       const std::uint64_t key = noiseKey(scene_.seed, kNoiseStream + k);
       float* value = channels_[k].data();
       for (int y = rect_.y0; y < rect_.y1; ++y) {
-        const std::uint64_t pixel = static_cast<std::uint64_t>(y) * pictureWidth +
-                                    static_cast<std::uint64_t>(rect_.x0);
+        const std::uint64_t pixel =
+            static_cast<std::uint64_t>(y) * pictureWidth + static_cast<std::uint64_t>(rect_.x0);
         for (int x = 0; x < rect_.width(); ++x, ++value) {
           const float factor =
               deviation > 0.0f
@@ -111,15 +116,15 @@ class TileExposure {
 
 }  // namespace
 
-Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& model,
-                                const Rig& rig, double proportionalNoise, std::uint64_t seed,
+Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& model, const Rig& rig,
+                                double proportionalNoise, std::uint64_t seed,
                                 const JobContext& context) {
   if (!(proportionalNoise >= 0.0) || !std::isfinite(proportionalNoise)) {
     return usageError("", "the noise must be a standard deviation from 0, such as 0.005");
   }
-  CUTIS_TRY(channels, ChannelModel::create(model, rig, context.child(0.0, 0.2)));
-  const Scene scene = {maps, std::move(channels),
-                       Backdrop(rig, maps.width(), maps.height(), seed), proportionalNoise, seed};
+  CUTIS_TRY(channels, ChannelModel::create(model, rig, maps.free(), context.child(0.0, 0.2)));
+  const Scene scene = {maps, std::move(channels), Backdrop(rig, maps.width(), maps.height(), seed),
+                       proportionalNoise, seed};
   Measurements photographs;
   photographs.rig = rig;
   photographs.state = Plane(maps.width(), maps.height(), PixelFormat::half);
@@ -127,8 +132,7 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
     photographs.channels.emplace_back(maps.width(), maps.height());
   }
   CUTIS_CHECK(parallelFor(static_cast<std::size_t>(photographs.state.tileCount()),
-                          context.child(0.2, 1.0),
-                          [&](std::size_t i) {
+                          context.child(0.2, 1.0), [&](std::size_t i) {
                             const Rect rect = photographs.state.tileRect(static_cast<int>(i));
                             return TileExposure(scene, rect).run(photographs);
                           }));

@@ -7,6 +7,28 @@
 
 namespace cutis {
 
+std::string_view constantName(SkinConstant constant) {
+  return constant == kOxygenation ? "oxygenation" : "thickness_mm";
+}
+
+std::string_view constantSymbol(SkinConstant constant) {
+  return constant == kOxygenation ? "γ" : "d";
+}
+
+std::vector<std::string> constantNames(const FreeConstants& free) {
+  std::vector<std::string> names;
+  for (const SkinConstant constant : kSkinConstants) {
+    if (free.has(constant)) names.emplace_back(constantName(constant));
+  }
+  return names;
+}
+
+bool isPossible(SkinConstant constant, double value) {
+  constexpr double kMore = 1.001;
+  if (constant == kOxygenation) return value >= 0.0 && value <= kMore;
+  return value >= kThinnestMm / kMore && value <= kThickestMm * kMore;
+}
+
 SkinConstants constantsOf(const Profile& profile) {
   return {profile.dermalBlood.oxygenation, profile.epidermalThicknessMm};
 }

@@ -33,8 +33,12 @@ bool hasEstimate(float state) {
 
 ParameterBatch<float> ParameterBuffer::batch() const {
   ParameterBatch<float> batch;
-  for (std::size_t k = 0; k < values.size(); ++k) batch.values[k] = values[k].data();
+  for (std::size_t k = 0; k < values.size(); ++k)
+    batch.values[k] = values[k].data();
   batch.count = count();
+  for (std::size_t k = 0; k < constants.size(); ++k) {
+    if (!constants[k].empty()) batch.constants[k] = constants[k].data();
+  }
   return batch;
 }
 
@@ -43,10 +47,15 @@ Result<ParameterBuffer> loadParameters(const ChromophoreMaps& maps, const Rect& 
   for (std::size_t k = 0; k < buffer.values.size(); ++k) {
     CUTIS_CHECK(loadEvery(maps.values[k], rect, step, buffer.values[k]));
   }
+  for (std::size_t k = 0; k < buffer.constants.size(); ++k) {
+    if (maps.constants[k].empty()) continue;
+    CUTIS_CHECK(loadEvery(maps.constants[k], rect, step, buffer.constants[k]));
+  }
   std::vector<float> states;
   CUTIS_CHECK(loadEvery(maps.state, rect, step, states));
   buffer.present.reserve(states.size());
-  for (const float state : states) buffer.present.push_back(hasEstimate(state));
+  for (const float state : states)
+    buffer.present.push_back(hasEstimate(state));
   return buffer;
 }
 

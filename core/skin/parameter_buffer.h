@@ -16,6 +16,8 @@ namespace cutis {
 struct ParameterBuffer {
   // Indexed by Parameter; all of one length, row by row.
   std::array<std::vector<float>, kParameterCount> values;
+  // Indexed by SkinConstant; empty where the profile's holds. Edits leave them alone.
+  std::array<std::vector<float>, kConstantCount> constants;
   // Whether the pixel has an estimate.
   std::vector<bool> present;
 
@@ -23,12 +25,12 @@ struct ParameterBuffer {
   ParameterBatch<float> batch() const;
 };
 
-// Every `step`-th pixel of every `step`-th row of rect, from its upper left corner: the width of the
-// result is ⌈width / step⌉. Precondition: rect lies within the maps.
-Result<ParameterBuffer> loadParameters(const ChromophoreMaps& maps, const Rect& rect,
-                                       int step = 1);
+// Every `step`-th pixel of every `step`-th row of rect, from its upper left corner: the width of
+// the result is ⌈width / step⌉. Precondition: rect lies within the maps.
+Result<ParameterBuffer> loadParameters(const ChromophoreMaps& maps, const Rect& rect, int step = 1);
 
-// Writes a buffer loaded with step 1 back into a rectangle of maps of the same size.
+// Writes the parameters of a buffer loaded with step 1 back into a rectangle of maps of the same
+// size.
 Status storeParameters(const ParameterBuffer& buffer, const Rect& rect, ChromophoreMaps& maps);
 
 }  // namespace cutis

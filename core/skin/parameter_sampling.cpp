@@ -8,6 +8,8 @@ namespace {
 
 // The positive root of x^6 = x + 1: the generalised golden ratio of five dimensions.
 constexpr double kRatio = 1.1673039782614187;
+// The fractions of √2 and √3.
+constexpr double kTurns[] = {0.41421356237309515, 0.7320508075688772};
 
 }  // namespace
 
@@ -23,6 +25,11 @@ std::vector<ParameterVector> sampleBox(const ParameterAxes& axes, int count, int
     }
   }
   return points;
+}
+
+double samplePlace(int which, int point) {
+  const double turn = kTurns[which] * static_cast<double>(point + 1);
+  return turn - std::floor(turn);
 }
 
 }  // namespace cutis

@@ -11,15 +11,19 @@
 #include <array>
 #include <cstddef>
 
+#include "core/skin/free_constants.h"
 #include "core/skin/node_model.h"
 
 namespace cutis {
 
-// Parameters of `count` pixels, one array per parameter in the order of Parameter.
+// Parameters of `count` pixels, one array per parameter in the order of Parameter. A pixel's own
+// constants, indexed by SkinConstant, or null where the profile's hold: only
+// core/skin/variable_response.h knows them.
 template <typename T>
 struct ParameterBatch {
   std::array<const T*, kParameterCount> values;
   std::size_t count = 0;
+  std::array<const T*, kConstantCount> constants = {};
 };
 
 // reflectance[node * count + i]. T is float or double.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <utility>
 
 #include "core/skin/model_nodes.h"
 #include "core/skin/response_kernel.h"
@@ -12,7 +13,7 @@ namespace cutis {
 
 ResponseModel::ResponseModel(const SkinModel& model, const SpectrumRows& rows,
                              const NodeOptions& options)
-    : nodes_(chooseModelNodes(model, rows, options)), model_(model, nodes_.samples) {
+    : nodes_(chooseModelNodes(model, rows, options)), model_(std::in_place, model, nodes_.samples) {
   for (Eigen::Index n = 0; n < nodes_.weights.cols(); ++n) {
     for (Eigen::Index k = 0; k < nodes_.weights.rows(); ++k) {
       weights_.push_back(static_cast<float>(nodes_.weights(k, n)));
@@ -20,14 +21,32 @@ ResponseModel::ResponseModel(const SkinModel& model, const SpectrumRows& rows,
   }
 }
 
+ResponseModel::ResponseModel(std::shared_ptr<const VariableResponse> variable)
+    : nodes_(variable->nodes()), variable_(std::move(variable)) {}
+
+Result<std::shared_ptr<const ResponseModel>> ResponseModel::create(const SkinModel& model,
+                                                                   const SpectrumRows& rows,
+                                                                   const FreeConstants& free,
+                                                                   const JobContext& context,
+                                                                   const NodeOptions& options) {
+  if (free.count() == 0) return std::make_shared<const ResponseModel>(model, rows, options);
+  CUTIS_TRY(variable, VariableResponse::make(model, rows, free, options, context));
+  return std::make_shared<const ResponseModel>(
+      std::make_shared<const VariableResponse>(std::move(variable)));
+}
+
 void ResponseModel::evaluate(const ParameterBatch<float>& batch,
                              std::span<float* const> out) const {
   assert(out.size() == static_cast<std::size_t>(rowCount()));
+  assert((batch.constants[kOxygenation] != nullptr) == free().oxygenation);
+  assert((batch.constants[kThickness] != nullptr) == free().thickness);
+  if (variable_) return variable_->evaluate(batch, out);
   ResponseArguments arguments = {};
-  arguments.nodes = model_.nodes<float>().data();
-  arguments.nodeCount = model_.nodes<float>().size();
-  arguments.layers = model_.layers<float>();
-  for (std::size_t k = 0; k < batch.values.size(); ++k) arguments.parameters[k] = batch.values[k];
+  arguments.nodes = model_->nodes<float>().data();
+  arguments.nodeCount = model_->nodes<float>().size();
+  arguments.layers = model_->layers<float>();
+  for (std::size_t k = 0; k < batch.values.size(); ++k)
+    arguments.parameters[k] = batch.values[k];
   arguments.count = batch.count;
   arguments.weights = weights_.data();
   arguments.weightStride = out.size();

@@ -4,12 +4,15 @@
 // UV or NIR band are all this one operation. The rows are reduced to spectral nodes once; a pixel
 // then costs a dozen reflectances and a small product.
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/skin/node_model.h"
 #include "core/skin/reflectance_batch.h"
 #include "core/skin/skin_model.h"
+#include "core/skin/variable_response.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
@@ -19,18 +22,32 @@ class ResponseModel {
  public:
   // Chooses the nodes (about 0.1 s).
   ResponseModel(const SkinModel& model, const SpectrumRows& rows, const NodeOptions& options = {});
+  // Of pixels with constants of their own.
+  explicit ResponseModel(std::shared_ptr<const VariableResponse> variable);
+
+  // Either: with constants of each pixel's own where some are free. Errors and cost: those of
+  // VariableResponse::make, none where nothing is free.
+  static Result<std::shared_ptr<const ResponseModel>> create(const SkinModel& model,
+                                                             const SpectrumRows& rows,
+                                                             const FreeConstants& free,
+                                                             const JobContext& context,
+                                                             const NodeOptions& options = {});
 
   int rowCount() const { return static_cast<int>(nodes_.weights.rows()); }
   const SpectralNodes& nodes() const { return nodes_; }
+  // What a pixel must bring along.
+  FreeConstants free() const { return variable_ ? variable_->free() : FreeConstants(); }
 
   // out[row][i] for each pixel of the batch. Within 2e-6 of SkinModel at the nodes, plus the nodes'
-  // own error; the properties of reflectanceBatch() hold.
+  // own error; the properties of reflectanceBatch() hold. Precondition: the batch has the constants
+  // that are free, and no others.
   void evaluate(const ParameterBatch<float>& batch, std::span<float* const> out) const;
 
  private:
   SpectralNodes nodes_;
-  NodeModel model_;
-  std::vector<float> weights_;  // by node, then row
+  std::shared_ptr<const VariableResponse> variable_;  // null: the profile's constants
+  std::optional<NodeModel> model_;                    // without `variable_`
+  std::vector<float> weights_;                        // by node, then row
 };
 
 }  // namespace cutis

@@ -56,7 +56,8 @@ VariableLayers::VariableLayers(const Profile& profile, std::span<const int> samp
       ofThickness_(std::move(weights)) {}
 
 Result<VariableLayers> VariableLayers::make(const Profile& profile, std::span<const int> samples,
-                                            const FreeConstants& free, const JobContext& context) {
+                                            const FreeConstants& free, const JobContext& context,
+                                            int thicknessPoints) {
   ThicknessRange range = {profile.epidermalThicknessMm, profile.epidermalThicknessMm};
   if (free.thickness) {
     CUTIS_TRY(found, thicknessRange(profile));
@@ -64,7 +65,7 @@ Result<VariableLayers> VariableLayers::make(const Profile& profile, std::span<co
   }
   VariableLayers layers(profile, samples,
                         ChebyshevWeights(std::log(range.lowMm), std::log(range.highMm),
-                                         free.thickness ? kThicknessPoints : 1));
+                                         free.thickness ? thicknessPoints : 1));
   layers.free_ = free.thickness;
   if (profile.layerOptics == LayerOpticsKind::diffusion) return layers;
   std::vector<TwoLayers> wanted = layersOver(profile, samples, free.oxygenation);

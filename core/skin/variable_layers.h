@@ -42,10 +42,12 @@ class VariableLayers {
   // samples: positions on the wavelength grid. Absorptions are covered over the profile's box, at
   // any oxygenation where that is free. A thickness that is not free is the profile's, whatever is
   // asked for. About 24 ms a sample for radiative transfer with a free thickness, on one core; the
-  // bits do not depend on the number of cores. Errors: those of thicknessRange() where thickness is
+  // bits do not depend on the number of cores; fewer thicknessPoints cost and hold in proportion
+  // less. Errors: those of thicknessRange() where thickness is
   // free, and of LayerTable::make. Precondition: validate(profile) passed.
   static Result<VariableLayers> make(const Profile& profile, std::span<const int> samples,
-                                     const FreeConstants& free, const JobContext& context = {});
+                                     const FreeConstants& free, const JobContext& context = {},
+                                     int thicknessPoints = kThicknessPoints);
 
   // Precondition: thicknesses lie in thicknessRange(). A skin's values are its own, whatever the
   // others are.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/content_hash.h"
+#include "core/fit/free_solver.h"
 #include "core/fit/network_solver.h"
 #include "core/fit/refined_solver.h"
 #include "core/fit/search_solver.h"
@@ -84,6 +85,10 @@ Result<std::shared_ptr<const SkinModel>> Engine::modelFromText(const std::string
 Result<std::shared_ptr<const PixelSolver>> Engine::solver(
     const std::shared_ptr<const SkinModel>& model, const Rig& rig, const FitOptions& options,
     const JobContext& context) {
+  if (options.free.count() > 0) {
+    CUTIS_TRY(freeSolver, makeFreeSolver(model, rig, options, context));
+    return std::shared_ptr<const PixelSolver>(std::move(freeSolver));
+  }
   if (options.method == FitMethod::refined) {
     return std::shared_ptr<const PixelSolver>(makeRefinedSolver(model, rig, options));
   }
@@ -100,14 +105,16 @@ Result<std::shared_ptr<const PixelSolver>> Engine::solver(
 
 Result<std::shared_ptr<const ResponseModel>> Engine::picture(
     const std::shared_ptr<const SkinModel>& model, const PictureRequest& request,
-    const std::string& place) {
+    const std::string& place, const FreeConstants& free, const JobContext& context) {
   CUTIS_TRY(rows, pictureRows(request, place));
   ContentHash hash;
   hash.add(fingerprint(model->profile()));
   hash.add(std::span<const double>(rows.data(), static_cast<std::size_t>(rows.size())));
+  hash.add(static_cast<double>(free.oxygenation)).add(static_cast<double>(free.thickness));
   const std::string key = hash.digest();
   if (auto known = find(pictures_, key)) return known;
-  return keep(pictures_, key, std::make_shared<const ResponseModel>(*model, rows));
+  CUTIS_TRY(made, ResponseModel::create(*model, rows, free, context));
+  return keep(pictures_, key, std::move(made));
 }
 
 Result<std::shared_ptr<const TableSearch>> Engine::tableSearch(const SkinModel& model,
@@ -119,9 +126,9 @@ Result<std::shared_ptr<const TableSearch>> Engine::tableSearch(const SkinModel& 
   CUTIS_TRY(observer, loadCamera({"cie1931", {}, {}}));
   const SpectrumRows rows = searchTableRows(rig, daylight, observer.sensor);
   CUTIS_TRY(table, cachedSkinTable(model, rows, cache_, context));
-  return keep(searches_, key,
-              std::make_shared<const TableSearch>(table, rig,
-                                                  whitePoint(daylight, observer.sensor)));
+  return keep(
+      searches_, key,
+      std::make_shared<const TableSearch>(table, rig, whitePoint(daylight, observer.sensor)));
 }
 
 }  // namespace cutis

@@ -44,10 +44,11 @@ class Engine {
                                                     const Rig& rig, const FitOptions& options,
                                                     const JobContext& context);
 
-  // A picture of the model's skin.
+  // A picture of the model's skin, of maps that bring along the constants that are `free`: then it
+  // takes some seconds where it is new.
   Result<std::shared_ptr<const ResponseModel>> picture(
       const std::shared_ptr<const SkinModel>& model, const PictureRequest& request,
-      const std::string& place);
+      const std::string& place, const FreeConstants& free = {}, const JobContext& context = {});
 
   // The search in the table of skin for a rig.
   Result<std::shared_ptr<const TableSearch>> tableSearch(const SkinModel& model, const Rig& rig,

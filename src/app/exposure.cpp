@@ -41,6 +41,7 @@ Result<ExposureChoice> chooseExposure(const Measurements& measurements, const Pi
                                       const JobContext& context) {
   CUTIS_TRY(sample, samplePixels(measurements, nullptr, kMostPixels, context));
   if (sample.count == 0) return ExposureChoice{};
+  sample.parameters.resize(solver.valueCount() * sample.count);
   constexpr auto count = static_cast<std::size_t>(kBrightestStep - kDarkestStep + 1);
   std::vector<ExposureChoice> choices(count);
   CUTIS_CHECK(parallelFor(count, context, [&](std::size_t i) -> Status {

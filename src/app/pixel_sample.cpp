@@ -61,8 +61,7 @@ Result<PixelSample> samplePixels(const Measurements& measurements, const Chromop
                                  std::size_t most, const JobContext& context) {
   const int step = stepFor(measurements.width(), measurements.height(), most);
   Rows channels(measurements.channels);
-  Rows parameters(maps == nullptr ? std::vector<Plane>()
-                                  : std::vector<Plane>(maps->values.begin(), maps->values.end()));
+  Rows parameters(maps == nullptr ? std::vector<Plane>() : maps->planes());
   Rows state({maps == nullptr ? measurements.state : maps->state});
   std::vector<float> seen, known;
   for (int y = 0; y < measurements.height(); y += step) {
@@ -83,7 +82,6 @@ Result<PixelSample> samplePixels(const Measurements& measurements, const Chromop
   sample.count = seen.size() / channels.count();
   sample.channels = transposed(seen, channels.count());
   sample.parameters = transposed(known, parameters.count());
-  sample.parameters.resize(kParameterCount * sample.count);
   return sample;
 }
 

@@ -17,13 +17,13 @@ namespace cutis {
 struct PixelSample {
   std::size_t count = 0;
   std::vector<float> channels;    // [channel][count]
-  std::vector<float> parameters;  // [parameter][count]
+  std::vector<float> parameters;  // [value][count], as in PixelBatch
 
   PixelBatch batch() { return {count, count, channels.data(), parameters.data()}; }
 };
 
 // Every n-th pixel of every n-th row, the least n that takes at most `most` pixels; only those that
-// can be solved. Parameters are those of `maps` or, without maps, zero.
+// can be solved. Parameters and constants are those of `maps`; without maps there are none.
 Result<PixelSample> samplePixels(const Measurements& measurements, const ChromophoreMaps* maps,
                                  std::size_t most, const JobContext& context);
 

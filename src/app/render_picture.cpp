@@ -19,11 +19,13 @@ PictureBuffer evaluate(const ParameterBuffer& parameters, const ResponseModel& p
   buffer.channels.assign(static_cast<std::size_t>(picture.rowCount()),
                          std::vector<float>(parameters.count()));
   std::vector<float*> rows;
-  for (std::vector<float>& channel : buffer.channels) rows.push_back(channel.data());
+  for (std::vector<float>& channel : buffer.channels)
+    rows.push_back(channel.data());
   picture.evaluate(parameters.batch(), rows);
   for (std::size_t i = 0; i < parameters.count(); ++i) {
     if (buffer.present[i]) continue;
-    for (std::vector<float>& channel : buffer.channels) channel[i] = 0.0f;
+    for (std::vector<float>& channel : buffer.channels)
+      channel[i] = 0.0f;
   }
   return buffer;
 }
@@ -74,11 +76,11 @@ Result<std::vector<Plane>> renderPicture(const ChromophoreMaps& maps, const Edit
 }
 
 Result<ChromophoreMaps> editMaps(const ChromophoreMaps& maps, const EditStack& edits,
-                                 const ParameterAxes& axes,
-                                 const std::shared_ptr<TileStore>& store,
+                                 const ParameterAxes& axes, const std::shared_ptr<TileStore>& store,
                                  const JobContext& context) {
   ChromophoreMaps edited(maps.width(), maps.height(), PixelFormat::float32, store);
   edited.state = maps.state;
+  edited.constants = maps.constants;
   CUTIS_CHECK(forEachTile(maps, context, [&](const Rect& rect) -> Status {
     CUTIS_TRY(parameters, loadParameters(maps, rect));
     CUTIS_CHECK(applyEdits(edits, axes, rect, 1, parameters));
@@ -109,10 +111,10 @@ Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const ChromophoreMaps
   return source;
 }
 
-Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source,
-                                      const ChromophoreMaps& maps, const EditStack& edits,
-                                      const ParameterAxes& axes, const ResponseModel& albedo,
-                                      bool pure, const std::shared_ptr<TileStore>& store,
+Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source, const ChromophoreMaps& maps,
+                                      const EditStack& edits, const ParameterAxes& axes,
+                                      const ResponseModel& albedo, bool pure,
+                                      const std::shared_ptr<TileStore>& store,
                                       const JobContext& context) {
   std::vector<Plane> planes = makePlanes(3, maps, store);
   CUTIS_CHECK(forEachTile(maps, context, [&](const Rect& rect) -> Status {

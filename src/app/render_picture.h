@@ -34,10 +34,9 @@ Result<std::vector<Plane>> renderPicture(const ChromophoreMaps& maps, const Edit
                                          const std::shared_ptr<TileStore>& store,
                                          const JobContext& context);
 
-// The maps with the edits applied; states are as they were.
+// The maps with the edits applied; states and constants are as they were.
 Result<ChromophoreMaps> editMaps(const ChromophoreMaps& maps, const EditStack& edits,
-                                 const ParameterAxes& axes,
-                                 const std::shared_ptr<TileStore>& store,
+                                 const ParameterAxes& axes, const std::shared_ptr<TileStore>& store,
                                  const JobContext& context);
 
 // Edited albedo: source × model edited ÷ model original, channel by channel in linear Rec.709, so
@@ -51,10 +50,10 @@ Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const ChromophoreMaps
                                      int step);
 
 // The same for the whole picture; source: three planes.
-Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source,
-                                      const ChromophoreMaps& maps, const EditStack& edits,
-                                      const ParameterAxes& axes, const ResponseModel& albedo,
-                                      bool pure, const std::shared_ptr<TileStore>& store,
+Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source, const ChromophoreMaps& maps,
+                                      const EditStack& edits, const ParameterAxes& axes,
+                                      const ResponseModel& albedo, bool pure,
+                                      const std::shared_ptr<TileStore>& store,
                                       const JobContext& context);
 
 }  // namespace cutis

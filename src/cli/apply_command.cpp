@@ -140,11 +140,13 @@ Status runApplyCommand(const ApplyCommand& command, Session& session) {
   CUTIS_TRY(format, outputFormat(command, subject.source, context));
   CUTIS_CHECK(loadEditMask(command.edit, subject.maps.width(), subject.maps.height(),
                            command.sources.front(), session.store, context.child(0.6, 0.62), edit));
-  CUTIS_TRY(albedo, session.engine.picture(subject.model, PictureRequest(), "apply"));
+  CUTIS_TRY(albedo,
+            session.engine.picture(subject.model, PictureRequest(), "apply", subject.maps.free(),
+                                   context.child(0.62, 0.65, "preparing")));
   CUTIS_TRY(content,
             editedTexture(subject.source, subject.maps, {edit}, subject.model->profile().axes,
                           *albedo, {format.colorSpace, command.pure, subject.exposure},
-                          session.store, context.child(0.62, 0.8, "editing")));
+                          session.store, context.child(0.65, 0.8, "editing")));
   return writeImage(command.output, content, format.type, context.child(0.8, 1.0, "writing"));
 }
 

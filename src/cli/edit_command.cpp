@@ -21,6 +21,7 @@ void dropEstimates(MapsFile& file, const JobContext& context) {
   if (file.deviations.empty() && file.residuals.empty()) return;
   context.say("deviations and residuals describe the original and are left out of the edited maps");
   file.deviations.clear();
+  file.constantDeviations.clear();
   file.residuals.clear();
   file.residualNames.clear();
 }

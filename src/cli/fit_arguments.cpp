@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/fit/shading.h"
+#include "src/cli/free_option.h"
 #include "src/files/csv.h"
 #include "src/files/network_file.h"
 #include "src/files/profile_file.h"
@@ -40,7 +41,8 @@ Status checkMethodOptions(const FitArguments& arguments, FitMethod method) {
   for (const auto& [option, given] : {std::pair{"--prior", !arguments.prior.empty()},
                                       {"--fix", !arguments.fixed.empty()},
                                       {"--noise", !arguments.noise.empty()},
-                                      {"--shading", arguments.shading}}) {
+                                      {"--shading", arguments.shading},
+                                      {"--free", !arguments.free.empty()}}) {
     if (given) return usageError(option, "only the method refined takes this; leave it out");
   }
   return {};
@@ -103,6 +105,14 @@ void addFitArguments(CLI::App& command, FitArguments& arguments) {
                    "Estimate one more factor per pixel on all channels, for photographs that are "
                    "not pure albedo; fit writes it beside the maps");
   command
+      .add_option(
+          "--free", arguments.free,
+          "Constants of the profile to find for each pixel, too: oxygenation (of the "
+          "dermis's blood; that of the epidermis moves along), thickness (of the epidermis), "
+          "or both with a comma; takes at least as many independent channels as there are "
+          "values to find, 6 or 7 (default: none)")
+      ->type_name("NAMES");
+  command
       .add_option("--weights", arguments.weights,
                   "Networks that train has written, for the method network (default: those built "
                   "in for the rig and the profile)")
@@ -117,6 +127,7 @@ std::string firstGiven(const FitArguments& arguments) {
                                      {"--exposure", arguments.exposure},
                                      {"--noise", arguments.noise},
                                      {"--prior", arguments.prior},
+                                     {"--free", arguments.free},
                                      {"--weights", arguments.weights}}) {
     if (!text.empty()) return option;
   }
@@ -141,6 +152,13 @@ Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
   request.priorFile = arguments.prior;
   request.weightsFile = arguments.weights;
   if (arguments.shading) request.options.shading = kUsualShadingDeviation;
+  CUTIS_TRY(free, freeConstants("--free", arguments.free));
+  request.options.free = free;
+  if (arguments.shading && free.count() > 0) {
+    return usageError("--free",
+                      "this does not go with --shading, which looks much like it in the "
+                      "channels; leave one of them out");
+  }
   for (const std::string& text : arguments.fixed) {
     CUTIS_TRY(fixed, assignment("--fix", text));
     request.fixed.push_back(fixed);

@@ -27,6 +27,7 @@ struct FitArguments {
   std::string prior;
   std::vector<std::string> fixed;
   bool shading = false;
+  std::string free;
   std::string weights;
 };
 

@@ -41,6 +41,18 @@ Json gamutFigures(const FittedSource& fitted) {
   return gamut;
 }
 
+// By name, of the constants that were free.
+Json freeFigures(const std::vector<ConstantSummary>& constants) {
+  Json free = Json::object();
+  for (const ConstantSummary& summary : constants) {
+    free[std::string(constantName(summary.constant))] = {{"mean", summary.mean},
+                                                         {"p5", summary.low},
+                                                         {"p95", summary.high},
+                                                         {"open_share", summary.openShare}};
+  }
+  return free;
+}
+
 }  // namespace
 
 Status writeFitReport(const std::filesystem::path& path, const FittedSource& fitted,
@@ -62,6 +74,7 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
                      {"write", seconds.write}};
   root["residual"] = {{"mean", statistics.meanResidual}, {"p95", statistics.residual95}};
   root["gamut"] = gamutFigures(fitted);
+  if (!fitted.constants.empty()) root["free"] = freeFigures(fitted.constants);
   root["threads"] = threadsUsed();
   root["isa"] = instructionSetName();
   root["peak_memory_bytes"] = peakMemoryBytes();

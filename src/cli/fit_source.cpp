@@ -1,8 +1,10 @@
 #include "src/cli/fit_source.h"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "core/fit/free_solver.h"
 #include "src/app/exposure.h"
 #include "src/files/csv.h"
 #include "src/files/profile_file.h"
@@ -56,6 +58,18 @@ void warnOfNoise(const std::string& path, const FitOptions& options, const Fitte
               "such as --noise 0.0001,0.005");
 }
 
+// What the channels do not tell is what was assumed.
+void warnOfAssumptions(const std::string& path, const FittedSource& fitted,
+                       const JobContext& context) {
+  for (const ConstantSummary& summary : fitted.constants) {
+    if (summary.openShare <= kMostlyAssumed) continue;
+    context.say(path + ": " + std::string(constantName(summary.constant)) +
+                " is mostly what was assumed: these channels leave " +
+                formatNumber(100.0 * summary.openShare, 2) +
+                " % of its uncertainty; photograph under more lights, or leave it out of --free");
+  }
+}
+
 }  // namespace
 
 Result<FittedSource> fitSource(const std::string& path, const FitRequest& request,
@@ -77,6 +91,9 @@ Result<FittedSource> fitSource(const std::string& path, const FitRequest& reques
                                context.child(0.0, 0.15, "reading")));
   fitted.source = std::move(source);
   fitted.seconds.load = lap.seconds();
+  if (options.free.count() > 0) {
+    CUTIS_CHECK(checkChannelsDecide(fitted.source.measurements.rig, options, "--free"));
+  }
   CUTIS_TRY(solver, engine.solver(model, fitted.source.measurements.rig, options,
                                   context.child(0.15, 0.25, "preparing")));
   fitted.nodes = solver->nodeCount();
@@ -93,6 +110,10 @@ Result<FittedSource> fitSource(const std::string& path, const FitRequest& reques
   CUTIS_TRY(gamut, measureGamut(fitted.source.measurements, fitted.planes.maps, *solver,
                                 options.noise, context.child(1.0, 1.0)));
   fitted.gamut = gamut;
+  CUTIS_TRY(constants, summariseConstants(fitted.source.measurements, fitted.planes.maps, *solver,
+                                          model->profile(), context.child(1.0, 1.0)));
+  fitted.constants = std::move(constants);
+  warnOfAssumptions(path, fitted, context);
   warnOfNoise(path, options, fitted, context);
   fitted.seconds.fit = lap.seconds();
   return fitted;
@@ -101,7 +122,11 @@ Result<FittedSource> fitSource(const std::string& path, const FitRequest& reques
 Result<MapsFile> mapsFileOf(const FittedSource& fitted, const FitRequest& request) {
   MapsFile file;
   file.maps = fitted.planes.maps;
-  file.deviations = fitted.planes.deviations;
+  const auto& deviations = fitted.planes.deviations;
+  const auto ofParameters = std::min<std::size_t>(deviations.size(), kParameterCount);
+  const auto split = deviations.begin() + static_cast<std::ptrdiff_t>(ofParameters);
+  file.deviations.assign(deviations.begin(), split);
+  file.constantDeviations.assign(split, deviations.end());
   file.residuals = fitted.planes.residuals;
   file.shading = fitted.planes.shading;
   const Rig& rig = fitted.source.measurements.rig;

@@ -4,9 +4,11 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/fit/fit_run.h"
+#include "src/app/constants_summary.h"
 #include "src/app/gamut.h"
 #include "src/app/source.h"
 #include "src/cli/command.h"
@@ -28,6 +30,7 @@ struct FittedSource {
   FitPlanes planes;
   FitStatistics statistics;
   GamutStatistics gamut;
+  std::vector<ConstantSummary> constants;  // one for each that is free
   int nodes = 0;
   double nodeRms = 0.0;    // error of a channel summed at the nodes …
   double nodeWorst = 0.0;  // … and the worst of those looked at

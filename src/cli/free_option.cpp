@@ -11,8 +11,9 @@ Result<FreeConstants> freeConstants(const std::string& option, const std::string
                       : name == "thickness" ? &free.thickness
                                             : nullptr;
     if (one == nullptr) {
-      return usageError(option, "'" + name + "' cannot be found from spectra; write oxygenation, "
-                                             "thickness or oxygenation,thickness");
+      return usageError(option, "'" + name +
+                                    "' cannot be found by a fit; write oxygenation, "
+                                    "thickness or oxygenation,thickness");
     }
     if (*one) return usageError(option, "'" + name + "' is there twice; name it once");
     *one = true;

@@ -59,7 +59,7 @@ std::string statesText(const StateCounts& counts) {
   return text;
 }
 
-// Counts the states; if wanted, collects a parameter of the pixels that have an estimate.
+// Counts the states; if wanted, collects a value of the pixels that have an estimate.
 Result<StateCounts> countStates(const Plane& state, const Plane* values,
                                 std::vector<float>* estimates) {
   StateCounts counts = {};
@@ -84,9 +84,9 @@ float quantile(std::vector<float>& values, double share) {
   return *at;
 }
 
-Result<std::string> parameterText(const ChromophoreMaps& maps, Parameter parameter) {
+Result<std::string> valuesText(const ChromophoreMaps& maps, const Plane& plane) {
   std::vector<float> values;
-  CUTIS_CHECK(countStates(maps.state, &maps.values[parameter], &values));
+  CUTIS_CHECK(countStates(maps.state, &plane, &values));
   if (values.empty()) return std::string();
   const auto number = [&](double share) {
     return formatNumber(static_cast<double>(quantile(values, share)), 4);
@@ -113,12 +113,19 @@ Result<std::string> describeMaps(const std::string& path, const Session& session
   if (!file.deviations.empty()) further.emplace_back("deviation");
   if (!file.residuals.empty()) further.emplace_back("residual");
   if (!file.shading.empty()) further.emplace_back("shading");
+  if (file.maps.free().count() > 0) further.emplace_back("constants");
+  if (!file.constantDeviations.empty()) further.emplace_back("constants_deviation");
   text += line("further parts", listOf(further));
   CUTIS_TRY(counts, countStates(file.maps.state, nullptr, nullptr));
   text += line("pixels", statesText(counts));
   for (const Parameter parameter : kParameters) {
-    CUTIS_TRY(values, parameterText(file.maps, parameter));
+    CUTIS_TRY(values, valuesText(file.maps, file.maps.values[parameter]));
     text += line(std::string(parameterName(parameter)), values);
+  }
+  for (const SkinConstant constant : kSkinConstants) {
+    if (!file.maps.free().has(constant)) continue;
+    CUTIS_TRY(values, valuesText(file.maps, file.maps.constants[constant]));
+    text += line(std::string(constantName(constant)), values);
   }
   return text;
 }

@@ -82,9 +82,11 @@ Status runRenderCommand(const RenderCommand& command, Session& session) {
   CUTIS_TRY(opened,
             openMaps(command.maps, command.profile, session, context.child(0.0, 0.35, "reading")));
   const std::string place = picture.request.band ? "--band" : "--light";
-  CUTIS_TRY(response, session.engine.picture(opened.model, picture.request, place));
+  CUTIS_TRY(response,
+            session.engine.picture(opened.model, picture.request, place, opened.file.maps.free(),
+                                   context.child(0.35, 0.4, "preparing")));
   CUTIS_TRY(linear, renderPicture(opened.file.maps, {}, opened.model->profile().axes, *response,
-                                  session.store, context.child(0.35, 0.6, "rendering")));
+                                  session.store, context.child(0.4, 0.6, "rendering")));
   CUTIS_TRY(encoded, encodePicture(linear, space, session.store, context.child(0.6, 0.7)));
   ImageContent content;
   content.channelNames =

@@ -8,15 +8,18 @@
 //   deviation     the five names again: posterior standard deviations   (optional)
 //   residual      "light.channel": measured minus modelled              (optional)
 //   shading       shading                                               (optional)
+//   constants     oxygenation, thickness_mm: those that were found for each pixel instead of the
+//                 profile's; 0 where there is no estimate               (optional)
+//   constants_deviation  the same names: posterior standard deviations  (optional)
 //
 // Attributes of the part chromophores: cutis:version, cutis:profile (name), cutis:profile_json (all
 // of the profile, so that the maps can be read anywhere), cutis:rig (name), cutis:method,
 // cutis:exposure, cutis:sources (JSON list of file and hash), cutis:source_colorspace.
 //
-// Channels are found by name. A pixel whose values are not finite is read as invalid, with a notice;
-// a deviation, residual or shading that is not finite is read as 0. Pixels that another program
-// cropped away (the data window is smaller than the display window) are read as masked. Errors are sentences about the
-// file.
+// Channels are found by name. A pixel whose values are not finite, or whose constants lie where no
+// profile can have them, is read as invalid, with a notice; a deviation, residual or shading that
+// is not finite is read as 0. Pixels that another program cropped away (the data window is smaller
+// than the display window) are read as masked. Errors are sentences about the file.
 
 #include <filesystem>
 #include <memory>
@@ -36,8 +39,8 @@ struct MapsAttributes {
   std::string profileName;
   std::string profileJson;  // profileText() of src/files; may be empty in files of other programs
   std::string rigName;
-  std::string method;       // as on the command line: "refined", …
-  double exposure = 1.0;    // the sources were multiplied by this
+  std::string method;     // as on the command line: "refined", …
+  double exposure = 1.0;  // the sources were multiplied by this
   std::vector<SourceReference> sources;
   std::string sourceColorSpace;  // canonical name, empty for photographs
 };
@@ -45,6 +48,7 @@ struct MapsAttributes {
 struct MapsFile {
   ChromophoreMaps maps;
   std::vector<Plane> deviations;           // one per parameter, or none
+  std::vector<Plane> constantDeviations;   // one per constant of the maps, or none
   std::vector<Plane> residuals;            // one per name below
   std::vector<std::string> residualNames;  // "white.R", …; as read, the names' order is the file's
   Plane shading;                           // may be empty
@@ -58,8 +62,9 @@ bool isMapsFile(const std::filesystem::path& path);
 Result<MapsFile> readMaps(const std::filesystem::path& path, PixelFormat format,
                           const std::shared_ptr<TileStore>& store, const JobContext& context);
 
-// Replaces the file as a whole or leaves it as it was. Precondition: all planes have the size of the
-// maps, deviations are none or five, residuals match their names.
+// Replaces the file as a whole or leaves it as it was. Precondition: all planes have the size of
+// the maps, deviations are none or five, those of constants none or as many as these, residuals
+// match their names.
 Status writeMaps(const std::filesystem::path& path, const MapsFile& file,
                  const JobContext& context);
 

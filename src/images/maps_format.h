@@ -11,6 +11,8 @@ inline constexpr char kStatePart[] = "state";
 inline constexpr char kDeviationPart[] = "deviation";
 inline constexpr char kResidualPart[] = "residual";
 inline constexpr char kShadingPart[] = "shading";
+inline constexpr char kConstantsPart[] = "constants";
+inline constexpr char kConstantsDeviationPart[] = "constants_deviation";
 
 inline constexpr char kVersion[] = "cutis:version";
 inline constexpr char kProfile[] = "cutis:profile";

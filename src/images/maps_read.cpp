@@ -76,8 +76,8 @@ Result<std::vector<int>> channelsNamed(const ImagePart& part, const std::vector<
   for (const std::string& name : names) {
     channels.push_back(part.channelIndex(name));
     if (channels.back() < 0) {
-      return inputError(place, "part '" + part.name + "' has no channel '" + name +
-                                   "'; fit the image again");
+      return inputError(
+          place, "part '" + part.name + "' has no channel '" + name + "'; fit the image again");
     }
   }
   return channels;
@@ -85,11 +85,13 @@ Result<std::vector<int>> channelsNamed(const ImagePart& part, const std::vector<
 
 std::vector<std::string> parameterNames() {
   std::vector<std::string> names;
-  for (const Parameter parameter : kParameters) names.emplace_back(parameterName(parameter));
+  for (const Parameter parameter : kParameters)
+    names.emplace_back(parameterName(parameter));
   return names;
 }
 
-Result<std::vector<SourceReference>> parseSources(const std::string& text, const std::string& place) {
+Result<std::vector<SourceReference>> parseSources(const std::string& text,
+                                                  const std::string& place) {
   std::vector<SourceReference> sources;
   if (text.empty()) return sources;
   // The list alone is no document.
@@ -123,8 +125,8 @@ Result<MapsAttributes> attributesOf(const OIIO::ImageSpec& spec, const std::stri
 
 class MapsReader {
  public:
-  MapsReader(ImageReader& reader, Parts parts, PixelFormat format,
-             std::shared_ptr<TileStore> store, const JobContext& context)
+  MapsReader(ImageReader& reader, Parts parts, PixelFormat format, std::shared_ptr<TileStore> store,
+             const JobContext& context)
       : reader_(reader),
         parts_(std::move(parts)),
         format_(format),
@@ -153,23 +155,28 @@ class MapsReader {
       CUTIS_TRY(planes, readExtra(*part, {"shading"}, context_.child(0.95, 1.0)));
       file.shading = planes.front();
     }
+    const ImagePart* part = parts_.find(kConstantsDeviationPart);
+    const std::vector<std::string> names = constantNames(file.maps.free());
+    if (part != nullptr && !names.empty()) {
+      CUTIS_TRY(planes, readExtra(*part, names, context_.child(0.95, 1.0)));
+      file.constantDeviations = std::move(planes);
+    }
     return file;
   }
 
  private:
-  Result<std::vector<Plane>> readNamed(const ImagePart& part,
-                                       const std::vector<std::string>& names, PixelFormat format,
-                                       const JobContext& context) {
+  Result<std::vector<Plane>> readNamed(const ImagePart& part, const std::vector<std::string>& names,
+                                       PixelFormat format, const JobContext& context) {
     CUTIS_CHECK(checkSize(part, *first_, reader_.place()));
     CUTIS_TRY(channels, channelsNamed(part, names, reader_.place()));
     return reader_.read(part, channels, format, store_, context);
   }
 
-  Result<std::vector<Plane>> readExtra(const ImagePart& part,
-                                       const std::vector<std::string>& names,
+  Result<std::vector<Plane>> readExtra(const ImagePart& part, const std::vector<std::string>& names,
                                        const JobContext& context) {
     CUTIS_TRY(planes, readNamed(part, names, format_, context));
-    for (Plane& plane : planes) CUTIS_CHECK(zeroWhereNotFinite(plane, context));
+    for (Plane& plane : planes)
+      CUTIS_CHECK(zeroWhereNotFinite(plane, context));
     return planes;
   }
 
@@ -183,12 +190,33 @@ class MapsReader {
     // Small whole numbers: a half holds them.
     CUTIS_TRY(states, readNamed(*state, {"state"}, PixelFormat::half, context_.child(0.5, 0.6)));
     maps.state = states.front();
-    const Rect stored = intersection(storedIn(*first_), storedIn(*state));
+    Rect stored = intersection(storedIn(*first_), storedIn(*state));
+    if (const ImagePart* part = parts_.find(kConstantsPart)) {
+      CUTIS_CHECK(readConstants(*part, maps));
+      stored = intersection(stored, storedIn(*part));
+    }
     CUTIS_CHECK(maskOutside(stored, maps, context_));
     CUTIS_TRY(spoiled, invalidateSpoiledPixels(maps, context_));
     if (spoiled > 0) {
       context_.say(reader_.place() + ": " + std::to_string(spoiled) +
-                   " pixels hold no numbers and were marked as invalid");
+                   " pixels hold no values that skin can have and were marked as invalid");
+    }
+    return {};
+  }
+
+  Status readConstants(const ImagePart& part, ChromophoreMaps& maps) {
+    FreeConstants free;
+    free.oxygenation = part.channelIndex(std::string(constantName(kOxygenation))) >= 0;
+    free.thickness = part.channelIndex(std::string(constantName(kThickness))) >= 0;
+    if (free.count() == 0) {
+      return inputError(reader_.place(),
+                        "part 'constants' has neither a channel 'oxygenation' nor "
+                        "'thickness_mm'; fit the image again");
+    }
+    CUTIS_TRY(planes, readNamed(part, constantNames(free), format_, context_.child(0.6, 0.6)));
+    auto next = planes.begin();
+    for (const SkinConstant constant : kSkinConstants) {
+      if (free.has(constant)) maps.constants[constant] = *next++;
     }
     return {};
   }

@@ -1,7 +1,6 @@
 #include "src/images/maps_repair.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <vector>
@@ -18,25 +17,41 @@ bool isState(float value) {
          value == std::floor(value);
 }
 
+bool isEstimate(float state) {
+  return state == static_cast<float>(PixelState::solved) ||
+         state == static_cast<float>(PixelState::noConvergence);
+}
+
 struct Tile {
   std::vector<float> state;
-  std::array<std::vector<float>, kParameterCount> values;
+  std::vector<std::vector<float>> values;  // parameters, then constants
+  FreeConstants free;
 
   Status load(const ChromophoreMaps& maps, const Rect& rect) {
     state.resize(rect.pixelCount());
     CUTIS_CHECK(maps.state.load(rect, state));
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      values[k].resize(rect.pixelCount());
-      CUTIS_CHECK(maps.values[k].load(rect, values[k]));
+    free = maps.free();
+    for (const Plane& plane : maps.planes()) {
+      values.emplace_back(rect.pixelCount());
+      CUTIS_CHECK(plane.load(rect, values.back()));
     }
     return {};
   }
 
   Status store(ChromophoreMaps& maps, const Rect& rect) const {
+    std::vector<Plane> planes = maps.planes();
     for (std::size_t k = 0; k < values.size(); ++k) {
-      CUTIS_CHECK(maps.values[k].store(rect, values[k]));
+      CUTIS_CHECK(planes[k].store(rect, values[k]));
     }
     return maps.state.store(rect, state);
+  }
+
+  bool hasPossibleConstants(std::size_t p) const {
+    std::size_t next = kParameterCount;
+    for (const SkinConstant constant : kSkinConstants) {
+      if (free.has(constant) && !isPossible(constant, double{values[next++][p]})) return false;
+    }
+    return true;
   }
 
   std::size_t invalidateSpoiled() {
@@ -44,10 +59,12 @@ struct Tile {
     for (std::size_t p = 0; p < state.size(); ++p) {
       const bool finite = std::all_of(values.begin(), values.end(),
                                       [&](const auto& v) { return std::isfinite(v[p]); });
-      if (finite && isState(state[p])) continue;
+      const bool sound = finite && isState(state[p]);
+      if (sound && (!isEstimate(state[p]) || hasPossibleConstants(p))) continue;
       ++spoiled;
       state[p] = static_cast<float>(PixelState::invalid);
-      for (auto& v : values) v[p] = 0.0f;
+      for (auto& v : values)
+        v[p] = 0.0f;
     }
     return spoiled;
   }
@@ -58,7 +75,8 @@ struct Tile {
       for (int x = rect.x0; x < rect.x1; ++x, ++p) {
         if (stored.contains(x, y)) continue;
         state[p] = static_cast<float>(PixelState::masked);
-        for (auto& v : values) v[p] = 0.0f;
+        for (auto& v : values)
+          v[p] = 0.0f;
       }
     }
   }

@@ -12,7 +12,8 @@
 
 namespace cutis {
 
-// Pixels with a value that is not finite, or a state that is none, become invalid with values 0.
+// Pixels with a value that is not finite, a state that is none, or an estimate with a constant that
+// no profile can have, become invalid with values 0.
 // Returns their number.
 Result<std::size_t> invalidateSpoiledPixels(ChromophoreMaps& maps, const JobContext& context);
 

@@ -47,8 +47,14 @@ void addAttributes(const MapsAttributes& attributes, OIIO::ImageSpec& spec) {
 
 std::vector<std::string> parameterNames() {
   std::vector<std::string> names;
-  for (const Parameter parameter : kParameters) names.emplace_back(parameterName(parameter));
+  for (const Parameter parameter : kParameters)
+    names.emplace_back(parameterName(parameter));
   return names;
+}
+
+std::vector<Plane> constantPlanes(const ChromophoreMaps& maps) {
+  const std::vector<Plane> all = maps.planes();
+  return {all.begin() + kParameterCount, all.end()};
 }
 
 std::vector<OutputPart> partsOf(const MapsFile& file) {
@@ -63,6 +69,11 @@ std::vector<OutputPart> partsOf(const MapsFile& file) {
   if (!file.deviations.empty()) add(kDeviationPart, parameterNames(), file.deviations);
   if (!file.residuals.empty()) add(kResidualPart, file.residualNames, file.residuals);
   if (!file.shading.empty()) add(kShadingPart, {"shading"}, {file.shading});
+  const std::vector<std::string> constants = constantNames(file.maps.free());
+  if (!constants.empty()) add(kConstantsPart, constants, constantPlanes(file.maps));
+  if (!file.constantDeviations.empty()) {
+    add(kConstantsDeviationPart, constants, file.constantDeviations);
+  }
   addAttributes(file.attributes, parts.front().spec);
   return parts;
 }

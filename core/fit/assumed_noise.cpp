@@ -1,0 +1,56 @@
+#include "core/fit/assumed_noise.h"
+
+#include <algorithm>
+
+#include <Eigen/QR>
+
+namespace cutis {
+namespace {
+
+constexpr double kNodeTolerance = 1e-5;
+constexpr double kExactNodeTolerance = 1e-6;
+// The least noise that is assumed: stands in for "none" where none is asked for, and for read noise
+// in channels that are all but black, whose proportional noise would be nothing.
+constexpr double kExactNoise = 1e-6;
+// The same where there are fewer channels than parameters: the prior then decides along a curved
+// valley, which the fit can only follow if it is not all too narrow. Channels are met to a small
+// part of this.
+constexpr double kExactNoiseOfFewChannels = 1e-5;
+// A channel within this share of a mixture of the others tells nothing of its own.
+constexpr double kSameChannel = 1e-6;
+
+}  // namespace
+
+bool asksForExact(const Rig& rig, const FitOptions& options) {
+  return options.noise.value_or(rig.noise).isExact();
+}
+
+int unknownCount(const FitOptions& options) {
+  const auto fixed = std::count_if(options.fixed.begin(), options.fixed.end(),
+                                   [](const auto& value) { return value.has_value(); });
+  return kParameterCount - static_cast<int>(fixed) + options.free.count();
+}
+
+int seeingChannelCount(const Rig& rig) {
+  return static_cast<int>((responseRows(rig) != 0.0).rowwise().any().count());
+}
+
+int independentChannelCount(const Rig& rig) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(responseRows(rig).matrix().transpose());
+  factors.setThreshold(kSameChannel);
+  return static_cast<int>(factors.rank());
+}
+
+NoiseModel assumedNoise(const Rig& rig, const FitOptions& options) {
+  const NoiseModel noise = options.noise.value_or(rig.noise);
+  const bool priorDecides =
+      asksForExact(rig, options) && seeingChannelCount(rig) < unknownCount(options);
+  return {std::max(noise.read, priorDecides ? kExactNoiseOfFewChannels : kExactNoise),
+          noise.proportional};
+}
+
+double nodeTolerance(const Rig& rig, const FitOptions& options) {
+  return asksForExact(rig, options) ? kExactNodeTolerance : kNodeTolerance;
+}
+
+}  // namespace cutis

@@ -1,0 +1,29 @@
+#pragma once
+
+// What a refined fit takes for granted of the channels: which of them tell something, how noisy
+// they are, and how exactly their sums at spectral nodes must hold.
+//
+// Thread-safe: pure functions.
+
+#include "core/fit/fit_options.h"
+#include "core/rig/rig.h"
+
+namespace cutis {
+
+// Whether no noise is to be assumed (the exact setting).
+bool asksForExact(const Rig& rig, const FitOptions& options);
+
+// Values to find: parameters that are not held, and free constants.
+int unknownCount(const FitOptions& options);
+// Channels that see something.
+int seeingChannelCount(const Rig& rig);
+// Of these, how many are no mixture of the others: a grey camera has one for each light.
+int independentChannelCount(const Rig& rig);
+
+// The options' noise or the rig's; never none, which stands for the least there is.
+NoiseModel assumedNoise(const Rig& rig, const FitOptions& options);
+
+// Root mean square error of a channel.
+double nodeTolerance(const Rig& rig, const FitOptions& options);
+
+}  // namespace cutis

@@ -1,0 +1,32 @@
+#pragma once
+
+// The damping of Levenberg's steps: more of it where the quadratic promised too much, less where it
+// kept its word.
+
+#include <algorithm>
+
+namespace cutis {
+
+class Damping {
+ public:
+  // By this share the diagonal of the normal matrix grows.
+  double value() const { return value_; }
+
+  // A step lowered the cost by `gained` (≥ 0) where the quadratic promised `promised`.
+  void accept(double gained, double promised) {
+    value_ *= gained > 0.75 * promised ? 0.1 : gained < 0.25 * promised ? 3.0 : 1.0;
+    value_ = std::max(value_, kLeast);
+  }
+  void reject() { value_ *= 10.0; }
+  // Steps are so short that they are lost in rounding.
+  bool exhausted() const { return value_ > kMost; }
+
+ private:
+  static constexpr double kFirst = 1e-3;
+  static constexpr double kLeast = 1e-12;
+  static constexpr double kMost = 1e10;
+
+  double value_ = kFirst;
+};
+
+}  // namespace cutis

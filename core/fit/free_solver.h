@@ -1,0 +1,32 @@
+#pragma once
+
+// The refined fit with oxygenation or thickness, or both, found for each pixel beside the five
+// parameters: for photographs under many lights (core/skin/free_constants.h).
+//
+// Maximum a posteriori in double precision, the profile's constants where their prior has its
+// middle (core/fit/constants_prior.h). A pixel begins at what the ordinary refined fit finds for it
+// with the profile's constants; where that ends in a misfit which is no noise, a second search
+// begins at the prior's mean, and the more probable end is kept. Deviations are of the normal
+// approximation.
+
+#include <memory>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "core/fit/fit_options.h"
+#include "core/fit/pixel_solver.h"
+#include "core/skin/skin_model.h"
+
+namespace cutis {
+
+// Refuses what the channels cannot decide: fewer independent channels than values to find. `place`
+// stands in front of the error.
+Status checkChannelsDecide(const Rig& rig, const FitOptions& options, const std::string& place);
+
+// Preconditions: something is free, no shading, checkChannelsDecide() passed. Preparation: that of
+// VariableResponse::make. Errors: the same. See README.md for the time per pixel.
+Result<std::unique_ptr<const PixelSolver>> makeFreeSolver(std::shared_ptr<const SkinModel> model,
+                                                          const Rig& rig, const FitOptions& options,
+                                                          const JobContext& context);
+
+}  // namespace cutis
