@@ -42,11 +42,11 @@ int independentChannelCount(const Rig& rig) {
 }
 
 NoiseModel assumedNoise(const Rig& rig, const FitOptions& options) {
-  const NoiseModel noise = options.noise.value_or(rig.noise);
+  NoiseModel noise = options.noise.value_or(rig.noise);
   const bool priorDecides =
       asksForExact(rig, options) && seeingChannelCount(rig) < unknownCount(options);
-  return {std::max(noise.read, priorDecides ? kExactNoiseOfFewChannels : kExactNoise),
-          noise.proportional};
+  noise.read = std::max(noise.read, priorDecides ? kExactNoiseOfFewChannels : kExactNoise);
+  return noise;
 }
 
 double nodeTolerance(const Rig& rig, const FitOptions& options) {

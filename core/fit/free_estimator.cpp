@@ -158,9 +158,7 @@ auto FreeEstimator<N>::linearise(std::span<const Point> points, std::span<const 
     const float* measured = batch.channels + static_cast<std::size_t>(channel) * batch.stride;
     for (std::size_t i = 0; i < count; ++i) {
       const double value = double{measured[pixels[i]]};
-      const double proportional = problem_.noise.proportional * value;
-      const double root =
-          1.0 / std::sqrt(problem_.noise.read * problem_.noise.read + proportional * proportional);
+      const double root = 1.0 / std::sqrt(problem_.noise.variance(value));
       sums.residual()[i] = root * (value - row[i]);
       for (std::size_t k = 0; k < N; ++k)
         sums.gradient(k)[i] = root * row[(1 + k) * count + i];

@@ -22,8 +22,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 // 1 / variance of a measured channel.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V ChannelPrecision(D d, const RefinedProblem<hn::TFromD<D>>& problem, V channel) {
+  const V varying = hn::Add(channel, hn::Set(d, problem.veil));
   const V variance =
-      hn::MulAdd(hn::Mul(hn::Set(d, problem.proportionalVariance), channel), channel,
+      hn::MulAdd(hn::Mul(hn::Set(d, problem.proportionalVariance), varying), varying,
                  hn::Set(d, problem.readVariance));
   return hn::Div(hn::Set(d, hn::TFromD<D>(1)), variance);
 }

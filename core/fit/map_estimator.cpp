@@ -129,9 +129,7 @@ Estimate MapEstimator::solve(const VectorXd& channels) const {
 Estimate MapEstimator::solve(const VectorXd& channels, const ParameterVector& start) const {
   VectorXd precision(channels.size());
   for (Index k = 0; k < channels.size(); ++k) {
-    const double proportional = options_.noise.proportional * channels[k];
-    const double variance = options_.noise.read * options_.noise.read +
-                            proportional * proportional + kExactNoise * kExactNoise;
+    const double variance = options_.noise.variance(channels[k]) + kExactNoise * kExactNoise;
     precision[k] = alive_[static_cast<std::size_t>(k)] ? 1.0 / variance : 0.0;
   }
   std::array<bool, kParameterCount> fixed;

@@ -44,9 +44,10 @@ struct RefinedProblem {
   LayerConstants<T> layers;
   const T* weights;  // [channel][node]
   std::size_t channelCount;
-  // Of a channel's variance: readVariance + proportionalVariance · channel².
+  // Of a channel's variance: readVariance + proportionalVariance · (channel + veil)².
   T readVariance;
   T proportionalVariance;
+  T veil;
   // Coordinates: the parameter, or its natural logarithm.
   bool isLog[kParameterCount];
   bool isFixed[kParameterCount];

@@ -28,6 +28,7 @@ RefinedProblemData<T>::RefinedProblemData(const SkinModel& model, const Spectral
   problem_.channelCount = static_cast<std::size_t>(nodes.weights.rows());
   problem_.readVariance = static_cast<T>(noise.read * noise.read);
   problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
+  problem_.veil = static_cast<T>(noise.veil);
   problem_.maximumRounds = kMaximumRounds;
   if (options.shading) {
     problem_.shadingPrecision = static_cast<T>(1.0 / (*options.shading * *options.shading));

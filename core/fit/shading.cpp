@@ -10,8 +10,7 @@ float shadingFactor(const ShadingModel& model, const float* measured, const floa
   double above = precision, below = precision;
   for (std::size_t k = 0; k < static_cast<std::size_t>(channelCount); ++k) {
     const double y = double{measured[k * stride]}, f = double{modelled[k * stride]};
-    const double variance = model.noise.read * model.noise.read +
-                            model.noise.proportional * model.noise.proportional * y * y;
+    const double variance = model.noise.variance(y);
     above += y * f / variance;
     below += f * f / variance;
   }

@@ -74,7 +74,7 @@ MatrixXd simulateLogChannels(const StartScene& scene, const std::vector<Paramete
   for (Index k = 0; k < channels.cols(); ++k) {
     for (Index i = 0; i < kPixels; ++i) {
       const double y = channels(i, k);
-      const double deviation = std::hypot(scene.noise.read, scene.noise.proportional * y);
+      const double deviation = std::sqrt(scene.noise.variance(y));
       channels(i, k) = std::log(std::max(y + deviation * random.normal(), kSmallestChannel));
     }
   }

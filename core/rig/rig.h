@@ -37,13 +37,19 @@ struct RigLight {
 };
 
 // Standard deviations of a channel; the perfect diffuser reads 1. The variances add:
-// read² + (proportional · channel)².
+// read² + (proportional · (channel + veil))².
 struct NoiseModel {
   double read = 0.0001;
   double proportional = 0.005;
+  // Light that was measured with the channel and then taken off it, while its noise stayed.
+  double veil = 0.0;
 
   // Zero noise asks for the exact solution.
   bool isExact() const { return read == 0.0 && proportional == 0.0; }
+  double variance(double channel) const {
+    const double varying = proportional * (channel + veil);
+    return read * read + varying * varying;
+  }
 };
 
 // The fit keeps the channels of all lights in registers.

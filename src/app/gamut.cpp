@@ -35,8 +35,7 @@ GamutStatistics byNoise(const NoiseModel& noise, std::size_t channelCount,
     double sum = 0.0;
     for (std::size_t k = 0; k < channelCount; ++k) {
       const std::size_t at = k * sample.count + i;
-      const double deviation =
-          std::hypot(noise.read, noise.proportional * double{sample.channels[at]});
+      const double deviation = std::sqrt(noise.variance(double{sample.channels[at]}));
       // A black channel under purely proportional noise says nothing.
       if (deviation > 0.0) sum += std::pow(double{residuals[at]} / deviation, 2);
     }

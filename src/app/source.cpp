@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "core/base/parallel.h"
+#include "core/rig/surface_reflection.h"
 #include "core/simulate/photograph.h"
 #include "core/simulate/skin_patch.h"
 #include "core/skin/parameter_sampling.h"
@@ -69,6 +70,11 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
   if (!options.lights.empty()) {
     return usageError("--lights", "a single image has one light; name a capture");
   }
+  if (options.surface.specularShare > 0.0) {
+    return usageError("--specular",
+                      "a single image is taken as albedo, without the reflection of the surface; "
+                      "this is for captures");
+  }
   CUTIS_TRY(rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, "--rig"));
   CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.exposure, options.mask},
                                toLinearRec709, rig, store, context));
@@ -101,6 +107,9 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
   Source source;
   source.name = titleOf(path);
   source.measurements = std::move(capture.measurements);
+  source.surface = options.surface;
+  CUTIS_CHECK(removeSurfaceReflection(options.surface, store, {context.stop, {}, context.notice},
+                                      source.measurements));
   source.metadata = std::move(capture.metadata);
   source.references = std::move(capture.sources);
   CUTIS_TRY(matrix, colorMatrix(source.measurements.rig, model));

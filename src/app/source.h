@@ -14,6 +14,7 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/rig/measurements.h"
+#include "core/skin/measurement_geometry.h"
 #include "core/skin/skin_model.h"
 #include "src/images/image_file.h"
 #include "src/images/source_reference.h"
@@ -27,6 +28,9 @@ struct SourceOptions {
   // Of an albedo texture:
   std::string colorSpace;  // empty: what the file says, see src/images/albedo_file.h
   double exposure = 1.0;   // multiplies the linear values
+  // How the photographs of a capture see the skin: the surface's reflection is taken off them
+  // (core/rig/surface_reflection.h). An albedo texture has none.
+  MeasurementGeometry surface;
 };
 
 struct Source {
@@ -36,6 +40,7 @@ struct Source {
   std::optional<Image> image;
   std::string colorSpace;  // of the image: canonical name
   double exposure = 1.0;   // the measurements are the image times this
+  MeasurementGeometry surface;  // that was taken off the photographs
   ImageMetadata metadata;
   std::vector<SourceReference> references;
   // First light's three channels to linear Rec.709 of the same skin under D65. Exact for an

@@ -65,7 +65,13 @@ Result<Subject> openWithMaps(const ApplyCommand& command, const Session& session
   CUTIS_TRY(opened, openMaps(command.maps, command.fit.profile, session, context.child(0.0, 0.5)));
   const std::string& path = command.sources.front();
   SourceOptions options;
-  if (!looksLikeCapture(path)) options.colorSpace = opened.file.attributes.sourceColorSpace;
+  if (!looksLikeCapture(path)) {
+    options.colorSpace = opened.file.attributes.sourceColorSpace;
+  } else if (opened.file.attributes.specularShare > 0.0) {
+    options.surface = measurementGeometry(SpecularPart::included,
+                                          opened.model->profile().refractiveIndex,
+                                          opened.file.attributes.specularShare);
+  }
   CUTIS_TRY(source,
             openSource(path, options, *opened.model, session.store, context.child(0.5, 1.0)));
   const ChromophoreMaps& maps = opened.file.maps;

@@ -117,6 +117,7 @@ void addFitArguments(CLI::App& command, FitArguments& arguments) {
                   "Networks that train has written, for the method network (default: those built "
                   "in for the rig and the profile)")
       ->type_name("FILE");
+  addSpecularOptions(command, "photographs", arguments.measurement);
 }
 
 std::string firstGiven(const FitArguments& arguments) {
@@ -128,7 +129,9 @@ std::string firstGiven(const FitArguments& arguments) {
                                      {"--noise", arguments.noise},
                                      {"--prior", arguments.prior},
                                      {"--free", arguments.free},
-                                     {"--weights", arguments.weights}}) {
+                                     {"--weights", arguments.weights},
+                                     {"--specular", arguments.measurement.specular},
+                                     {"--specular-share", arguments.measurement.share}}) {
     if (!text.empty()) return option;
   }
   if (!arguments.fixed.empty()) return "--fix";
@@ -148,6 +151,13 @@ Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
   if (!arguments.noise.empty()) {
     CUTIS_TRY(noise, realNumbers("--noise", arguments.noise, 2, 0.0, kMostNoise));
     request.options.noise = NoiseModel{noise[0], noise[1]};
+  }
+  CUTIS_TRY(measurement, parseMeasurement(arguments.measurement));
+  request.measurement = measurement;
+  if (arguments.shading && measurement.specular == SpecularPart::included) {
+    return usageError("--shading",
+                      "shade and the reflection of the surface cannot be told apart; leave out one "
+                      "of --shading and --specular");
   }
   request.priorFile = arguments.prior;
   request.weightsFile = arguments.weights;

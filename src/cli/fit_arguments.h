@@ -12,6 +12,7 @@
 #include "core/fit/fit_options.h"
 #include "core/skin/profile.h"
 #include "src/app/source.h"
+#include "src/cli/measurement_options.h"
 #include "src/cli/option_values.h"
 
 namespace cutis {
@@ -29,6 +30,7 @@ struct FitArguments {
   bool shading = false;
   std::string free;
   std::string weights;
+  MeasurementArguments measurement;
 };
 
 void addFitArguments(CLI::App& command, FitArguments& arguments);
@@ -41,6 +43,7 @@ struct FitRequest {
   std::string profile;
   std::string methodName;
   SourceOptions source;
+  MeasurementSetting measurement;
   bool chooseExposure = false;
   FitOptions options;
   std::string priorFile;

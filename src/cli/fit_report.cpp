@@ -74,6 +74,8 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
                      {"write", seconds.write}};
   root["residual"] = {{"mean", statistics.meanResidual}, {"p95", statistics.residual95}};
   root["gamut"] = gamutFigures(fitted);
+  if (fitted.source.surface.specularShare > 0.0)
+    root["specular_share"] = fitted.source.surface.specularShare;
   if (!fitted.constants.empty()) root["free"] = freeFigures(fitted.constants);
   root["threads"] = threadsUsed();
   root["isa"] = instructionSetName();

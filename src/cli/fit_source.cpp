@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/fit/free_solver.h"
+#include "core/rig/surface_reflection.h"
 #include "src/app/exposure.h"
 #include "src/files/csv.h"
 #include "src/files/profile_file.h"
@@ -87,7 +88,10 @@ Result<FittedSource> fitSource(const std::string& path, const FitRequest& reques
   CUTIS_CHECK(completeFitOptions(request, model->profile(), options));
 
   Lap lap;
-  CUTIS_TRY(source, openSource(path, request.source, *model, session.store,
+  SourceOptions sourceOptions = request.source;
+  sourceOptions.surface = geometryOf(request.measurement, model->profile());
+  if (options.noise) options.noise = noiseBelowSurface(*options.noise, sourceOptions.surface);
+  CUTIS_TRY(source, openSource(path, sourceOptions, *model, session.store,
                                context.child(0.0, 0.15, "reading")));
   fitted.source = std::move(source);
   fitted.seconds.load = lap.seconds();
@@ -138,6 +142,7 @@ Result<MapsFile> mapsFileOf(const FittedSource& fitted, const FitRequest& reques
                      profileJson,
                      rig.name,
                      request.methodName,
+                     fitted.source.surface.specularShare,
                      fitted.source.exposure,
                      fitted.source.references,
                      fitted.source.colorSpace};

@@ -105,6 +105,8 @@ Result<std::string> describeMaps(const std::string& path, const Session& session
   text += line("rig", attributes.rigName);
   text += line("method", attributes.method);
   text += line("exposure", formatNumber(attributes.exposure));
+  if (attributes.specularShare > 0.0)
+    text += line("surface taken off", formatNumber(attributes.specularShare, 4));
   text += line("source colour space", attributes.sourceColorSpace);
   for (const SourceReference& source : attributes.sources) {
     text += line("source", source.file + " (" + source.hash + ")");

@@ -12,22 +12,30 @@ constexpr double kLeastRadiusMm = 0.1, kMostRadiusMm = 1000.0;
 Result<SpecularPart> specularPart(const std::string& word) {
   if (word.empty() || word == "excluded") return SpecularPart::excluded;
   if (word == "included") return SpecularPart::included;
-  return usageError("--specular", "'" + word + "' is unknown; choose included or excluded");
+  if (word == "cross-polarised") return SpecularPart::crossPolarised;
+  return usageError("--specular",
+                    "'" + word + "' is unknown; choose included, excluded or cross-polarised");
 }
 
 }  // namespace
 
-void addMeasurementOptions(CLI::App& command, MeasurementArguments& arguments) {
+void addSpecularOptions(CLI::App& command, const std::string& what,
+                        MeasurementArguments& arguments) {
   command
       .add_option("--specular", arguments.specular,
-                  "Whether the spectra contain the surface reflection: included or excluded "
-                  "(default: excluded)")
+                  "Whether the " + what +
+                      " contain the surface reflection: included, excluded or cross-polarised, "
+                      "which keeps it out (default: excluded)")
       ->type_name("WORD");
   command
       .add_option("--specular-share", arguments.share,
                   "With --specular included: the surface reflection, as far as it is measured "
                   "(default: 0.04)")
       ->type_name("S");
+}
+
+void addMeasurementOptions(CLI::App& command, MeasurementArguments& arguments) {
+  addSpecularOptions(command, "spectra", arguments);
   command
       .add_option("--aperture-radius", arguments.apertureRadius,
                   "Radius in mm of the spot that is lit and seen, where it is so small that light "

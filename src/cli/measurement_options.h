@@ -1,6 +1,6 @@
 #pragma once
 
-// How spectra were measured, shared by the commands that read or write spectra.
+// How spectra or photographs see the skin, shared by the commands that read or write them.
 
 #include <string>
 
@@ -19,6 +19,10 @@ struct MeasurementArguments {
   std::string apertureRadius;
 };
 
+// --specular and --specular-share; what: "spectra", "photographs".
+void addSpecularOptions(CLI::App& command, const std::string& what,
+                        MeasurementArguments& arguments);
+// All that spectra need.
 void addMeasurementOptions(CLI::App& command, MeasurementArguments& arguments);
 
 // What the arguments say, whatever the skin.

@@ -14,7 +14,8 @@
 //
 // Attributes of the part chromophores: cutis:version, cutis:profile (name), cutis:profile_json (all
 // of the profile, so that the maps can be read anywhere), cutis:rig (name), cutis:method,
-// cutis:exposure, cutis:sources (JSON list of file and hash), cutis:source_colorspace.
+// cutis:exposure, cutis:specular_share (where it is not 0), cutis:sources (JSON list of file and
+// hash), cutis:source_colorspace.
 //
 // Channels are found by name. A pixel whose values are not finite, or whose constants lie where no
 // profile can have them, is read as invalid, with a notice; a deviation, residual or shading that
@@ -40,6 +41,7 @@ struct MapsAttributes {
   std::string profileJson;  // profileText() of src/files; may be empty in files of other programs
   std::string rigName;
   std::string method;     // as on the command line: "refined", …
+  double specularShare = 0.0;  // reflection of the surface that was taken off the sources
   double exposure = 1.0;  // the sources were multiplied by this
   std::vector<SourceReference> sources;
   std::string sourceColorSpace;  // canonical name, empty for photographs

@@ -20,6 +20,7 @@ inline constexpr char kProfileJson[] = "cutis:profile_json";
 inline constexpr char kRig[] = "cutis:rig";
 inline constexpr char kMethod[] = "cutis:method";
 inline constexpr char kExposure[] = "cutis:exposure";
+inline constexpr char kSpecularShare[] = "cutis:specular_share";
 inline constexpr char kSources[] = "cutis:sources";
 inline constexpr char kSourceColorSpace[] = "cutis:source_colorspace";
 

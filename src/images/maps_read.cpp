@@ -106,6 +106,12 @@ Result<std::vector<SourceReference>> parseSources(const std::string& text,
   return sources;
 }
 
+double numberAttribute(const OIIO::ImageSpec& spec, const char* name, double otherwise) {
+  double value = otherwise;
+  if (spec.getattribute(name, OIIO::TypeDesc::DOUBLE, &value)) return value;
+  return double{spec.get_float_attribute(name, static_cast<float>(otherwise))};
+}
+
 Result<MapsAttributes> attributesOf(const OIIO::ImageSpec& spec, const std::string& place) {
   MapsAttributes attributes;
   attributes.profileName = textAttribute(spec, kProfile);
@@ -113,11 +119,10 @@ Result<MapsAttributes> attributesOf(const OIIO::ImageSpec& spec, const std::stri
   attributes.rigName = textAttribute(spec, kRig);
   attributes.method = textAttribute(spec, kMethod);
   attributes.sourceColorSpace = textAttribute(spec, kSourceColorSpace);
-  double exposure = 1.0;
-  if (!spec.getattribute(kExposure, OIIO::TypeDesc::DOUBLE, &exposure)) {
-    exposure = spec.get_float_attribute(kExposure, 1.0f);
-  }
+  const double exposure = numberAttribute(spec, kExposure, 1.0);
   attributes.exposure = std::isfinite(exposure) && exposure > 0.0 ? exposure : 1.0;
+  const double share = numberAttribute(spec, kSpecularShare, 0.0);
+  attributes.specularShare = share > 0.0 && share < 1.0 ? share : 0.0;
   CUTIS_TRY(sources, parseSources(textAttribute(spec, kSources), place));
   attributes.sources = std::move(sources);
   return attributes;

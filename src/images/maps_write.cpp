@@ -41,6 +41,8 @@ void addAttributes(const MapsAttributes& attributes, OIIO::ImageSpec& spec) {
   spec.attribute(kRig, attributes.rigName);
   spec.attribute(kMethod, attributes.method);
   spec.attribute(kExposure, OIIO::TypeDesc::DOUBLE, &attributes.exposure);
+  if (attributes.specularShare > 0.0)
+    spec.attribute(kSpecularShare, OIIO::TypeDesc::DOUBLE, &attributes.specularShare);
   spec.attribute(kSources, sourcesText(attributes.sources));
   spec.attribute(kSourceColorSpace, attributes.sourceColorSpace);
 }

@@ -1,8 +1,12 @@
 // fit with a factor of shading, with a profile by radiative transfer, and without noise where there
 // is some; and what a rig can tell apart.
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
+#include "core/skin/measurement_geometry.h"
+#include "src/images/capture_file.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -56,6 +60,58 @@ class FitOptionsTest : public QObject {
     QCOMPARE(report["pixels"]["no_convergence"].get<int>(), 0);
     EXPECT_DONE(run_.run("render own.exr -o own.png --light A"));
     EXPECT_DONE(run_.run("fit own -o searched.exr --profile skin2026 --method three-stage"));
+  }
+
+  // Photographs with the sheen of the surface in them, told so, give the skin below it.
+  void theSurfaceReflectionIsTakenOff() {
+    const MeasurementGeometry surface = measurementGeometry(SpecularPart::included, 1.4, 0.05);
+    const auto capture = readCapture(run_ / "cap", {}, nullptr, {});
+    EXPECT_OK(capture);
+    Measurements shiny = capture.value().measurements;
+    for (Plane& channel : shiny.channels) {
+      std::vector<float> values = valuesOf(channel);
+      for (float& value : values)
+        value = static_cast<float>(measuredReflectance(surface, double{value}));
+      channel = Plane(shiny.width(), shiny.height());
+      EXPECT_OK(channel.store(channel.bounds(), values));
+    }
+    EXPECT_OK(writeCapture(run_ / "shiny", shiny,
+                           {.rig = "monitor", .sampleType = SampleType::float32}, {}));
+    EXPECT_DONE(run_.run("fit cap -o below.exr"));
+    EXPECT_DONE(run_.run("fit shiny -o told.exr --specular included --specular-share 0.05"));
+    EXPECT_DONE(run_.run("fit shiny -o untold.exr --specular cross-polarised"));
+    QCOMPARE(run_.maps("told.exr").attributes.specularShare, 0.05);
+    QCOMPARE(run_.maps("untold.exr").attributes.specularShare, 0.0);
+    const auto melaninAway = [&](const std::string& name) {
+      const auto below = valuesOf(run_.maps("below.exr").maps.values[kMelanin]);
+      const auto other = valuesOf(run_.maps(name).maps.values[kMelanin]);
+      double away = 0.0, all = 0.0;
+      for (std::size_t i = 0; i < below.size(); ++i) {
+        away += std::abs(double{other[i]} - double{below[i]});
+        all += double{below[i]};
+      }
+      return away / all;
+    };
+    EXPECT_AT_MOST(melaninAway("told.exr"), 0.02);
+    QVERIFY(melaninAway("untold.exr") > 0.1);
+
+    // The edited albedo of what lies below: the same whether it is fitted now or was before.
+    EXPECT_DONE(run_.run("apply shiny --maps told.exr -o before.exr --melanin 1.5"));
+    EXPECT_DONE(run_.run(
+        "apply shiny -o now.exr --melanin 1.5 --specular included --specular-share 0.05"));
+    const Image before = run_.image("before.exr"), now = run_.image("now.exr");
+    for (std::size_t c = 0; c < before.channels.size(); ++c)
+      QVERIFY(valuesOf(before.channels[c]) == valuesOf(now.channels[c]));
+    for (const auto& [line, sentence] :
+         {std::pair{"fit now.exr -o x.exr --specular included", "single image"},
+          {"fit shiny -o x.exr --specular shiny", "cross-polarised"},
+          {"fit shiny -o x.exr --specular-share 0.1", "--specular included"},
+          {"fit shiny -o x.exr --specular included --shading", "told apart"}}) {
+      const Outcome wrong = run_.run(line);
+      QCOMPARE(wrong.status, 2);
+      QVERIFY2(isOneError(wrong.errors) && wrong.errors.find(sentence) != std::string::npos,
+               wrong.errors.c_str());
+    }
   }
 
   void rigsAreIdentified() {
