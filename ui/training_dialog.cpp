@@ -30,7 +30,7 @@ TrainingDialog::TrainingDialog(QWidget* parent)
       errors_(new ErrorTable(this)),
       use_(new QPushButton(tr("Use it"), this)),
       save_(new QPushButton(tr("Save weights…"), this)),
-      cancel_(new QPushButton(this)) {
+      cancel_(new QPushButton(tr("Cancel"), this)) {
   setWindowTitle(tr("Train a network"));
   setAccessibleName(windowTitle());
   heading_->setWordWrap(true);
