@@ -25,7 +25,6 @@ FitPanel::FitPanel(QWidget* parent)
   profile_->setAccessibleName(tr("Profile"));
   method_->setAccessibleName(tr("Method"));
   load_->setAccessibleName(tr("Load a profile"));
-  load_->setToolTip(tr("A profile of the skin model from a JSON file"));
   for (const std::string& name : profileNames())
     offerProfile(QString::fromStdString(name));
   for (const MethodDescription& method : methodCatalogue()) {
@@ -95,14 +94,16 @@ void FitPanel::show(const FitChoice& choice, Subject subject) {
   showProfile(QString::fromStdString(choice.profile), subject);
   showMethod(choice);
   showShading(choice, subject);
+  const QList<QWidget*> controls = {profile_, load_, method_};
   const bool fits = subject != Subject::maps;
-  for (QWidget* control : {static_cast<QWidget*>(profile_), static_cast<QWidget*>(load_),
-                           static_cast<QWidget*>(method_)}) {
+  for (QWidget* control : controls)
     control->setEnabled(fits);
+  load_->setToolTip(tr("A profile of the skin model from a JSON file"));
+  if (!fits) {
+    for (QWidget* control : controls + QList<QWidget*>{shading_})
+      control->setToolTip(
+          tr("Maps stay as they were fitted; open their photographs to fit them again"));
   }
-  setToolTip(fits ? QString()
-                  : tr("Maps stay as they were fitted; open their photographs to fit "
-                       "them again"));
   offer_->hide();
 }
 

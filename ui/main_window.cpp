@@ -138,7 +138,8 @@ QWidget* MainWindow::makeSidePanel() {
 
   // The way out stays in sight where a low window scrolls the rest.
   auto* foot = new QVBoxLayout;
-  foot->setContentsMargins(theme::kDoubleSpace, theme::kSpace, theme::kDoubleSpace, theme::kSpace);
+  foot->setContentsMargins(theme::kDoubleSpace, theme::kHalfSpace, theme::kDoubleSpace,
+                           theme::kHalfSpace);
   foot->addWidget(exportButton_);
   auto* side = new QWidget(this);
   side->setFixedWidth(kSidePanelWidth);

@@ -67,7 +67,9 @@ Status method(const Call& call) {
 }
 
 Status use(const Call& call) {
-  if (!call.window.training().isTrained()) return call.wrong("nothing is trained; begin with train");
+  if (!call.window.training().isTrained()) {
+    return call.wrong("nothing is trained; begin with train");
+  }
   call.window.training().use();
   return {};
 }

@@ -51,6 +51,7 @@ void TrainingController::train() {
 
 void TrainingController::start(const Rig& rig, const std::string& profile) {
   const NetworkTraining training = plan_(rig, profile);
+  profile_ = profile;
   trained_ = nullptr;
   dialog_->begin(QString::fromStdString(rig.name), QString::fromStdString(profile), training);
   job_ = jobs_.start(tr("Train a network"),
@@ -98,7 +99,8 @@ void TrainingController::stop() {
 }
 
 void TrainingController::use() {
-  document_.useNetwork(std::make_shared<const ChromophoreNetwork>(trained_->chromophores));
+  document_.useNetwork(std::make_shared<const ChromophoreNetwork>(trained_->chromophores),
+                       profile_);
   dialog_->close();
 }
 

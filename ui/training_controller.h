@@ -53,6 +53,7 @@ class TrainingController : public QObject {
   TrainingDialog* dialog_;
   Plan plan_;
   JobId job_ = 0;
+  std::string profile_;  // that is trained for
   std::shared_ptr<const NetworkFile> trained_;
 };
 

@@ -147,10 +147,10 @@ void Document::fitWith(const FitChoice& choice) {
   startFit();
 }
 
-void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
+void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network,
+                          const std::string& profile) {
   engine_.addNetwork(std::move(network));
-  choice_.method = FitMethod::network;
-  choice_.shading = false;
+  choice_ = {profile, FitMethod::network, false};
   startFit();
 }
 

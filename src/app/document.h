@@ -74,8 +74,9 @@ class Document : public QObject {
   // Fits again, edits are kept; a choice that cannot be is told. Where the fit fails or is
   // cancelled the last complete one comes back. Precondition: canFit().
   void fitWith(const FitChoice& choice);
-  // Adds the network to the engine and fits again, by the method network. Precondition: canFit().
-  void useNetwork(std::shared_ptr<const ChromophoreNetwork> network);
+  // Adds a network of the profile and the source's lights to the engine and fits with it.
+  // Precondition: canFit().
+  void useNetwork(std::shared_ptr<const ChromophoreNetwork> network, const std::string& profile);
 
   // Precondition for the rest: isOpen().
   void apply(const Command& command);

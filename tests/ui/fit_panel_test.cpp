@@ -83,6 +83,10 @@ class FitPanelTest : public QObject {
     panel_->show({"a stranger's", FitMethod::threeStage, false}, Subject::maps);
     QVERIFY(!box("Profile")->isEnabled() && !box("Method")->isEnabled());
     QVERIFY(!panel_->findChild<QPushButton*>()->isEnabled() && !shading()->isEnabled());
+    for (const QWidget* control : panel_->findChildren<QWidget*>()) {
+      if (control->isEnabled() || control->parentWidget() != panel_.get()) continue;
+      QVERIFY(control->toolTip().startsWith("Maps stay"));
+    }
     QCOMPARE(box("Profile")->placeholderText(), QString("a stranger's"));
     QCOMPARE(box("Profile")->findData("a stranger's"), -1);
     QCOMPARE(box("Method")->currentText(), QString("Three-stage"));

@@ -227,9 +227,7 @@ class DocumentFitTest : public QObject {
     QVERIFY(known.value() != nullptr);
     ChromophoreNetwork network = *known.value();
     network.profile = fingerprint(model.value()->profile());
-    document_.fitWith({foreign_, FitMethod::refined, false});
-    waitUntilFitted();
-    document_.useNetwork(std::make_shared<const ChromophoreNetwork>(network));
+    document_.useNetwork(std::make_shared<const ChromophoreNetwork>(network), foreign_);
     waitUntilFitted();
     QVERIFY(document_.fitChoice() == (FitChoice{foreign_, FitMethod::network, false}));
     const auto kept = engine_.network(model.value()->profile(), rig);
