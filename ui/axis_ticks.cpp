@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include <QLocale>
 
@@ -40,6 +41,23 @@ std::vector<double> ticksWithin(double minimum, double maximum, double step) {
   for (double i = std::ceil(minimum / step - kSlack); i <= last; ++i)
     ticks.push_back(i * step);
   return ticks;
+}
+
+std::vector<double> logarithmicTicks(double minimum, double maximum, int most) {
+  if (!(minimum > 0) || !(maximum >= minimum) || !std::isfinite(maximum)) return {};
+  const auto ticksOf = [&](std::initializer_list<double> factors) {
+    std::vector<double> ticks;
+    const double last = std::ceil(std::log10(maximum));
+    for (double power = std::floor(std::log10(minimum)); power <= last; ++power) {
+      for (const double factor : factors) {
+        const double tick = factor * std::pow(10.0, power);
+        if (tick >= minimum * (1 - kSlack) && tick <= maximum * (1 + kSlack)) ticks.push_back(tick);
+      }
+    }
+    return ticks;
+  };
+  const auto fine = ticksOf({1, 2, 5});
+  return fine.size() <= static_cast<std::size_t>(std::max(most, 0)) ? fine : ticksOf({1});
 }
 
 QString tickText(double value, double step) {

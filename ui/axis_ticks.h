@@ -19,6 +19,10 @@ double niceCeiling(double value, int most);
 // Multiples of `step` within [minimum, maximum].
 std::vector<double> ticksWithin(double minimum, double maximum, double step);
 
+// 1, 2 and 5 times powers of ten within [minimum, maximum], for logarithmic axes; powers of ten
+// alone where that would be more than `most`. None for ranges that are not positive and finite.
+std::vector<double> logarithmicTicks(double minimum, double maximum, int most);
+
 // In the user's locale, as many decimals as tell neighbours a `step` apart.
 QString tickText(double value, double step);
 

@@ -36,7 +36,7 @@ EditPanel::EditPanel(QWidget* parent)
   head->addWidget(reset_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(theme::kSpace);
+  column->setSpacing(theme::kHalfSpace);
   column->addLayout(head);
 
   addSlider(kMelanin, tr("Melanin"),

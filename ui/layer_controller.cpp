@@ -42,6 +42,7 @@ LayerController::LayerController(Document& document, LayerServer& server, Viewpo
         showOverview();
       })) {
   connect(&document, &Document::opened, this, &LayerController::open);
+  connect(&document, &Document::sceneReplaced, this, [this] { ranges_.clear(); });
   connect(&viewport, &Viewport::viewChanged, this, &LayerController::wantDetail);
   connect(&strip, &LayerStrip::chosen, this, [this](const QString& id) {
     if (const auto layer = layerById(id)) show(*layer);
@@ -60,9 +61,8 @@ void LayerController::open() {
   for (const LayerDescription& layer : layerCatalogue()) {
     if (!isOffered(layer.kind)) continue;
     entries.push_back({layer.id, layer.name, layer.toolTip});
-    auto watch = server_.watch(kThumbnailPriority, [this](const Part& part) {
-      takeThumbnail(part);
-    });
+    auto watch =
+        server_.watch(kThumbnailPriority, [this](const Part& part) { takeThumbnail(part); });
     watch->want(wholePicture(layer.kind, scene, kThumbnailSize));
     thumbnailWatches_.push_back(std::move(watch));
   }
@@ -114,7 +114,7 @@ void LayerController::takeThumbnail(const Part& part) {
 
 void LayerController::takeRange(const Part& part) {
   const LayerKind layer = part->request.layer;
-  if (!describe(layer).scale || !isNeutral()) return;
+  if (!describe(layer).scale || (!isNeutral() && ranges_.contains(layer))) return;
   ranges_[layer] = rangeOf(*part);
   if (layer != current_) return;
   showDetail();

@@ -5,10 +5,11 @@
 //
 // Interface thread only.
 
-#include <QObject>
 #include <map>
 #include <memory>
 #include <vector>
+
+#include <QObject>
 
 #include "src/app/document.h"
 #include "src/app/layer_server.h"
@@ -55,7 +56,8 @@ class LayerController : public QObject {
   Viewport& viewport_;
   LayerStrip& strip_;
   LayerKind current_ = LayerKind::photograph;
-  // Of the unedited maps, so that an edit is seen as a change of colour.
+  // Of the unedited maps, so that an edit is seen as a change of colour; of the edited ones where
+  // there are no others yet.
   std::map<LayerKind, DisplayRange> ranges_;
   Part detail_;
   Part overview_;

@@ -87,11 +87,9 @@ LightPanel::LightPanel(QWidget* parent)
   }
   auto* colour = new QWidget(this);
   auto* form = new QFormLayout(colour);
-  form->setContentsMargins(0, 0, 0, 0);
-  form->setSpacing(theme::kSpace);
-  form->setLabelAlignment(Qt::AlignLeft);
   form->addRow(tr("Source"), lights_);
   form->addRow(tr("Observer"), observers_);
+  theme::alignForm(*form);
   band_->setWordWrap(true);
   band_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   pages_->addWidget(colour);

@@ -15,6 +15,8 @@
 #include "src/app/albedo_export.h"
 #include "ui/edit_controller.h"
 #include "ui/edit_panel.h"
+#include "ui/fit_controller.h"
+#include "ui/fit_panel.h"
 #include "ui/layer_controller.h"
 #include "ui/layer_strip.h"
 #include "ui/light_catalogue.h"
@@ -24,6 +26,7 @@
 #include "ui/spectrum_plot.h"
 #include "ui/start_page.h"
 #include "ui/theme.h"
+#include "ui/training_controller.h"
 #include "ui/viewport.h"
 
 namespace cutis {
@@ -49,11 +52,14 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
       plot_(new SpectrumPlot(this)),
       editPanel_(new EditPanel(this)),
       lightPanel_(new LightPanel(this)),
+      fitPanel_(new FitPanel(this)),
       progress_(new ProgressStrip(this)),
       exportButton_(new QPushButton(tr("Export edited albedo…"), this)),
       layers_(new LayerController(*document_, *server_, *viewport_, *strip_, this)),
       edits_(new EditController(*document_, *editPanel_, this)),
-      spectrum_(new SpectrumController(*document_, *plot_, *progress_, this)) {
+      spectrum_(new SpectrumController(*document_, *plot_, *progress_, this)),
+      fit_(new FitController(*document_, *fitPanel_, this)),
+      training_(new TrainingController(*document_, *engine_, jobs_, this)) {
   lightPanel_->setLights(lightGroups());
   lightPanel_->setObservers(observerChoices());
   pages_->addWidget(start_);
@@ -66,7 +72,6 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
   column->addWidget(progress_);
   setCentralWidget(central);
   setAcceptDrops(true);
-  exportButton_->setProperty("primary", true);
   makeMenus();
   connectJobs();
 
@@ -79,6 +84,8 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
   connect(viewport_, &Viewport::cursorMoved, spectrum_, &SpectrumController::pointAt);
   connect(viewport_, &Viewport::cursorLeft, spectrum_, &SpectrumController::leave);
   connect(exportButton_, &QPushButton::clicked, this, &MainWindow::chooseExport);
+  connect(fitPanel_, &FitPanel::loadWanted, this, &MainWindow::chooseProfile);
+  connect(fitPanel_, &FitPanel::trainingWanted, training_, &TrainingController::train);
   connect(lightPanel_, &LightPanel::changed, this, &MainWindow::setLight);
   connect(layers_, &LayerController::currentChanged, this, &MainWindow::syncLight);
   // An edit of what is on the screen must be seen.
@@ -113,21 +120,35 @@ QWidget* MainWindow::makeWorkArea() {
 QWidget* MainWindow::makeSidePanel() {
   auto* content = new QWidget(this);
   auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(theme::kDoubleSpace, theme::kDoubleSpace, theme::kDoubleSpace,
-                             theme::kSpace);
-  column->setSpacing(theme::kSpace);
+  column->setContentsMargins(theme::kDoubleSpace, theme::kSpace, theme::kDoubleSpace, 0);
+  column->setSpacing(theme::kDoubleSpace);
   column->addWidget(editPanel_);
-  column->addSpacing(theme::kDoubleSpace);
   column->addWidget(lightPanel_);
-  column->addStretch(1);
-  column->addWidget(exportButton_);
+  column->addWidget(fitPanel_);
+  column->setAlignment(Qt::AlignTop);
   auto* scroll = new QScrollArea(this);
   scroll->setWidget(content);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(kSidePanelWidth);
-  return scroll;
+  // In a low window the offer would stand below the edge. It has its place after the next layout.
+  connect(
+      document_.get(), &Document::networkMissing, scroll,
+      [this, scroll] { scroll->ensureWidgetVisible(fitPanel_); }, Qt::QueuedConnection);
+
+  // The way out stays in sight where a low window scrolls the rest.
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(theme::kDoubleSpace, theme::kHalfSpace, theme::kDoubleSpace,
+                           theme::kHalfSpace);
+  foot->addWidget(exportButton_);
+  auto* side = new QWidget(this);
+  side->setFixedWidth(kSidePanelWidth);
+  auto* whole = new QVBoxLayout(side);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(0);
+  whole->addWidget(scroll, 1);
+  whole->addLayout(foot);
+  return side;
 }
 
 void MainWindow::connectJobs() {
@@ -158,6 +179,7 @@ void MainWindow::connectJobs() {
   connect(document_.get(), &Document::opened, this, &MainWindow::documentOpened);
   connect(document_.get(), &Document::fitted, this, &MainWindow::documentFitted);
   connect(document_.get(), &Document::editsChanged, this, &MainWindow::updateActions);
+  connect(document_.get(), &Document::fitChoiceChanged, this, &MainWindow::updateActions);
 }
 
 void MainWindow::documentOpened() {
@@ -192,6 +214,7 @@ void MainWindow::updateActions() {
   undo_->setText(history.canUndo() ? tr("&Undo %1").arg(history.undoName()) : tr("&Undo"));
   redo_->setText(history.canRedo() ? tr("&Redo %1").arg(history.redoName()) : tr("&Redo"));
   const bool exportable = open && document_->isFitted() && document_->scene().source != nullptr;
+  for (QAction* action : {load_, train_}) action->setEnabled(document_->canFit());
   export_->setEnabled(exportable);
   exportButton_->setEnabled(exportable);
 }
@@ -261,6 +284,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  training_->stop();
   QSettings().setValue(kGeometry, saveGeometry());
   event->accept();
 }

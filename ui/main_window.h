@@ -21,6 +21,8 @@ namespace cutis {
 
 class EditController;
 class EditPanel;
+class FitController;
+class FitPanel;
 class LayerController;
 class LayerStrip;
 class LightPanel;
@@ -28,6 +30,7 @@ class ProgressStrip;
 class SpectrumController;
 class SpectrumPlot;
 class StartPage;
+class TrainingController;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -49,6 +52,8 @@ class MainWindow : public QMainWindow {
   Document& document() { return *document_; }
   LayerController& layers() { return *layers_; }
   EditController& edits() { return *edits_; }
+  FitController& fit() { return *fit_; }
+  TrainingController& training() { return *training_; }
   Viewport& viewport() { return *viewport_; }
   ProgressStrip& progress() { return *progress_; }
 
@@ -69,6 +74,7 @@ class MainWindow : public QMainWindow {
   void chooseCapture();
   void chooseImage();
   void chooseExport();
+  void chooseProfile();
   void remember(const QString& path);
   void restoreSettings();
 
@@ -84,15 +90,20 @@ class MainWindow : public QMainWindow {
   SpectrumPlot* plot_;
   EditPanel* editPanel_;
   LightPanel* lightPanel_;
+  FitPanel* fitPanel_;
   ProgressStrip* progress_;
   QPushButton* exportButton_;
   LayerController* layers_;
   EditController* edits_;
   SpectrumController* spectrum_;
+  FitController* fit_;
+  TrainingController* training_;
 
   QAction* undo_ = nullptr;
   QAction* redo_ = nullptr;
   QAction* export_ = nullptr;
+  QAction* load_ = nullptr;
+  QAction* train_ = nullptr;
   JobId visibleJob_ = 0;
   QString visibleJobName_;
 };

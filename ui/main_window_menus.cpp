@@ -7,9 +7,11 @@
 #include <QMessageBox>
 
 #include "ui/edit_controller.h"
+#include "ui/fit_controller.h"
 #include "ui/layer_catalogue.h"
 #include "ui/layer_controller.h"
 #include "ui/main_window.h"
+#include "ui/training_controller.h"
 #include "ui/viewport.h"
 
 namespace cutis {
@@ -54,6 +56,12 @@ void MainWindow::makeMenus() {
     ++number;
   }
 
+  QMenu* fit = menuBar()->addMenu(tr("Fi&t"));
+  load_ = fit->addAction(tr("Load &profile…"), QKeySequence(tr("Ctrl+Shift+L")), this,
+                         &MainWindow::chooseProfile);
+  train_ = fit->addAction(tr("&Train a network…"), QKeySequence(tr("Ctrl+T")), training_,
+                          &TrainingController::train);
+
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(tr("&About Cutis"), this, [this] {
     QMessageBox::about(
@@ -76,6 +84,12 @@ void MainWindow::chooseImage() {
   const QString file = QFileDialog::getOpenFileName(
       this, tr("Open image or maps"), {}, tr("Images (%1);;All files (*)").arg(kReadableImages));
   if (!file.isEmpty()) openPath(file);
+}
+
+void MainWindow::chooseProfile() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Load profile"), {},
+                                                    tr("Profiles (*.json);;All files (*)"));
+  if (!file.isEmpty()) fit_->fitWithProfile(file);
 }
 
 void MainWindow::chooseExport() {

@@ -5,12 +5,16 @@
 #include <map>
 
 #include "core/skin/parameter.h"
+#include "src/app/fit_method.h"
 #include "src/files/text_file.h"
 #include "ui/edit_controller.h"
+#include "ui/fit_controller.h"
 #include "ui/layer_catalogue.h"
 #include "ui/layer_controller.h"
 #include "ui/main_window.h"
 #include "ui/spectrum_controller.h"
+#include "ui/training_controller.h"
+#include "ui/training_dialog.h"
 #include "ui/viewport.h"
 
 namespace cutis {
@@ -54,6 +58,30 @@ Status light(const Call& call) {
   return {};
 }
 
+Status method(const Call& call) {
+  FitChoice choice = call.window.document().fitChoice();
+  CUTIS_TRY(method, fitMethodNamed(call.words[1].toStdString(), call.place));
+  choice.method = method;
+  call.window.fit().fitWith(choice);
+  return {};
+}
+
+Status use(const Call& call) {
+  if (!call.window.training().isTrained()) {
+    return call.wrong("nothing is trained; begin with train");
+  }
+  call.window.training().use();
+  return {};
+}
+
+Status shading(const Call& call) {
+  FitChoice choice = call.window.document().fitChoice();
+  if (call.words[1] != "on" && call.words[1] != "off") return call.wrong("write shading on or off");
+  choice.shading = call.words[1] == "on";
+  call.window.fit().fitWith(choice);
+  return {};
+}
+
 Status point(const Call& call) {
   Q_EMIT call.window.viewport().cursorMoved(call.words[1].toInt(), call.words[2].toInt());
   return {};
@@ -73,8 +101,11 @@ Status zoom(const Call& call) {
   return {};
 }
 
+// The training dialog stands before the window.
 Status picture(const Call& call) {
-  if (!call.window.grab().save(call.words[1])) return call.wrong("the picture cannot be written");
+  QWidget* dialog = &call.window.training().dialog();
+  QWidget* shown = dialog->isVisible() ? dialog : &call.window;
+  if (!shown->grab().save(call.words[1])) return call.wrong("the picture cannot be written");
   return {};
 }
 
@@ -97,6 +128,12 @@ const std::map<QString, Verb>& verbs() {
       {"layer", {2, 2, layer}},
       {"factor", {3, 3, factor}},
       {"light", {2, 3, light}},
+      {"profile",
+       {2, 2, simple([](const Call& call) { call.window.fit().fitWithProfile(call.words[1]); })}},
+      {"method", {2, 2, method}},
+      {"shading", {2, 2, shading}},
+      {"train", {1, 1, simple([](const Call& call) { call.window.training().train(); })}},
+      {"use", {1, 1, use}},
       {"point", {3, 3, point}},
       {"zoom", {2, 2, zoom}},
       {"undo", {1, 1, simple([](const Call& call) { call.window.document().undo(); })}},

@@ -7,11 +7,16 @@
 //   layer ID                    photograph, albedo, skin, melanin, …, uv, nir
 //   factor NAME VALUE           melanin, melanin_blend, haemoglobin_dermal, …
 //   light NAME [OBSERVER]       shows the skin under it
+//   profile NAME|FILE           fits with it
+//   method NAME                 refined, network, three-stage, full-search
+//   shading on|off
+//   train                       a network for what is fitted; its dialog opens
+//   use                         fits with the network that was trained
 //   point X Y                   the spectrum of a pixel
 //   zoom FACTOR | zoom fit | zoom one
 //   undo | redo | reset
 //   export PATH
-//   picture PATH.png            of the window
+//   picture PATH.png            of the window, or of the training dialog while that is open
 //
 // Each command waits until the editor is idle.
 

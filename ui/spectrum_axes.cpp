@@ -15,9 +15,6 @@ namespace cutis {
 namespace {
 
 constexpr int kTickNm = 100;
-const QColor kOuterBand(0x1a, 0x1a, 0x1a);
-const QColor kVisible(0x24, 0x24, 0x24);
-const QColor kGridLine(0x38, 0x38, 0x38);
 
 QString translated(const char* text) {
   return QCoreApplication::translate("cutis::SpectrumPlot", text);
@@ -57,17 +54,18 @@ void SpectrumAxes::drawBands(QPainter& painter) const {
     Band band;
     QColor color;
   };
+  const theme::Tones& tones = theme::tones();
   const NamedBand bands[] = {
-      {QT_TRANSLATE_NOOP("cutis::SpectrumPlot", "UVA"), kUltravioletBand, kOuterBand},
-      {QT_TRANSLATE_NOOP("cutis::SpectrumPlot", "Visible"), kVisibleBand, kVisible},
-      {QT_TRANSLATE_NOOP("cutis::SpectrumPlot", "NIR"), kNearInfraredBand, kOuterBand}};
+      {QT_TRANSLATE_NOOP("cutis::SpectrumPlot", "UVA"), kUltravioletBand, tones.plotOuterBand},
+      {QT_TRANSLATE_NOOP("cutis::SpectrumPlot", "Visible"), kVisibleBand, tones.plotBand},
+      {QT_TRANSLATE_NOOP("cutis::SpectrumPlot", "NIR"), kNearInfraredBand, tones.plotOuterBand}};
   const double nameHeight = QFontMetricsF(font).height() + 2;
   for (const auto& [name, band, color] : bands) {
     const QRectF below(pointAt(wavelengthNm(band.first), maximum),
                        pointAt(wavelengthNm(band.last), 0));
     const QRectF above(below.left(), below.top() - nameHeight, below.width(), nameHeight);
     painter.fillRect(below.united(above), color);
-    painter.setPen(theme::tones().dimText);
+    painter.setPen(tones.dimText);
     painter.drawText(above, Qt::AlignCenter, translated(name));
   }
 }
@@ -81,7 +79,7 @@ void SpectrumAxes::drawReflectances(QPainter& painter) const {
   int index = 0;
   for (const double value : ticksWithin(0, maximum, step)) {
     const double y = pointAt(kFirstWavelengthNm, value).y();
-    painter.setPen(value > 0 ? kGridLine : tones.line);
+    painter.setPen(value > 0 ? tones.gridLine : tones.line);
     painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
     if (index++ % every != 0) continue;
     const QRectF place(0, y - textHeight / 2, area.left() - theme::kSpace, textHeight);

@@ -30,6 +30,7 @@ SpectrumController::SpectrumController(Document& document, SpectrumPlot& plot,
     : QObject(parent), document_(document), plot_(plot), progress_(progress) {
   connect(&document, &Document::opened, this, &SpectrumController::forget);
   connect(&document, &Document::mapsChanged, this, &SpectrumController::refresh);
+  connect(&document, &Document::sceneReplaced, this, &SpectrumController::refresh);
   connect(&document, &Document::editsChanged, this, &SpectrumController::refresh);
 }
 
@@ -38,7 +39,9 @@ void SpectrumController::pointAt(int x, int y) {
   refresh();
 }
 
-void SpectrumController::leave() { progress_.setReadout({}); }
+void SpectrumController::leave() {
+  progress_.setReadout({});
+}
 
 void SpectrumController::forget() {
   pixel_.reset();

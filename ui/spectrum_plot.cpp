@@ -12,6 +12,7 @@
 
 #include "core/spectra/grid.h"
 #include "ui/axis_ticks.h"
+#include "ui/plot_title.h"
 #include "ui/theme.h"
 
 namespace cutis {
@@ -20,18 +21,6 @@ namespace {
 constexpr double kHeadroom = 1.03;
 constexpr int kKeySamples = 5;
 constexpr double kPointRadius = 3;
-
-QPen originalPen() {
-  return QPen(theme::tones().original, 2);
-}
-
-// A dash beside the colour: never colour alone.
-QPen editedPen() {
-  QPen pen(theme::tones().edited, 2);
-  pen.setDashPattern({4, 2.5});
-  pen.setCapStyle(Qt::FlatCap);
-  return pen;
-}
 
 double largest(const QVector<double>& curve) {
   double most = 0;
@@ -116,8 +105,8 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(frame.area.adjusted(0, -1, 0, 1));
-    drawCurve(painter, original_, originalPen());
-    drawCurve(painter, edited_, editedPen());
+    drawCurve(painter, original_, firstCurvePen());
+    drawCurve(painter, edited_, secondCurvePen());
     drawMeasured(painter);
     painter.restore();
     drawTitleLine(painter);
@@ -172,51 +161,20 @@ QString SpectrumPlot::legendText(const QString& name, const QVector<double>& cur
   return name + ' ' + QLocale().toString(curve[*crosshair_], 'f', 4);
 }
 
-// Heading on the left, legend on the right.
 void SpectrumPlot::drawTitleLine(QPainter& painter) const {
-  const QFontMetricsF metrics(font());
-  const QRectF area = axes().area;
-  const QRectF line(area.left(), theme::kSpace, area.width(), metrics.height());
-  constexpr double kSample = 24;
-  double right = line.right();
-  const auto place = [&](const QString& text) {
-    const double textWidth = metrics.horizontalAdvance(text) + 2;
-    painter.setPen(theme::tones().text);
-    painter.drawText(QRectF(right - textWidth, line.top(), textWidth, line.height()),
-                     Qt::AlignRight | Qt::AlignVCenter, text);
-    const QPointF end(right - textWidth - theme::kHalfSpace - 2, line.center().y());
-    right = end.x() - kSample - theme::kDoubleSpace;
-    return end;
-  };
-  if (!measured_.isEmpty()) {
-    const QPointF end = place(tr("Photograph"));
-    painter.setPen(QPen(theme::tones().text, 1));
-    painter.drawLine(end - QPointF(kSample, 0), end);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(theme::tones().text);
-    painter.drawEllipse(end - QPointF(kSample / 2, 0), kPointRadius - 0.5, kPointRadius - 0.5);
-  }
-  if (!edited_.isEmpty()) {
-    const QPointF end = place(legendText(tr("Edited"), edited_));
-    painter.setPen(editedPen());
-    painter.drawLine(end - QPointF(kSample, 0), end);
-  }
+  std::vector<LegendEntry> legend;
   if (!original_.isEmpty()) {
-    const QPointF end = place(legendText(tr("Original"), original_));
-    painter.setPen(originalPen());
-    painter.drawLine(end - QPointF(kSample, 0), end);
+    legend.push_back({legendText(tr("Original"), original_), firstCurvePen()});
   }
-  const double room = right - line.left();
+  if (!edited_.isEmpty()) legend.push_back({legendText(tr("Edited"), edited_), secondCurvePen()});
+  if (!measured_.isEmpty()) {
+    legend.push_back({tr("Photograph"), QPen(theme::tones().text, 1), kPointRadius - 0.5});
+  }
   const QString heading =
       heading_.isEmpty() ? tr("Reflectance") : tr("Reflectance, %1").arg(heading_);
-  QFont bold = font();
-  bold.setBold(true);
-  painter.setFont(bold);
-  painter.setPen(theme::tones().text);
-  painter.drawText(QRectF(line.left(), line.top(), room, line.height()),
-                   Qt::AlignLeft | Qt::AlignVCenter,
-                   QFontMetricsF(bold).elidedText(heading, Qt::ElideRight, room));
-  painter.setFont(font());
+  const QRectF area = axes().area;
+  const QRectF line(area.left(), theme::kSpace, area.width(), QFontMetricsF(font()).height());
+  drawPlotTitle(painter, line, heading, legend);
 }
 
 void SpectrumPlot::drawCrosshair(QPainter& painter) const {

@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QFormLayout>
 #include <QPainter>
 #include <QPalette>
 #include <QProxyStyle>
@@ -25,6 +26,9 @@ Tones darkTones() {
   tones.original = QColor(0x8f, 0xbf, 0xea);
   tones.edited = QColor(0xf5, 0xa7, 0x4f);
   tones.error = QColor(0xf0, 0x82, 0x6a);
+  tones.plotBand = QColor(0x24, 0x24, 0x24);
+  tones.plotOuterBand = QColor(0x1a, 0x1a, 0x1a);
+  tones.gridLine = QColor(0x38, 0x38, 0x38);
   return tones;
 }
 
@@ -97,6 +101,8 @@ class Style : public QProxyStyle {
 
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* result) const override {
+    // The wheel scrolls the panel and chooses nothing on its way.
+    if (hint == SH_ComboBox_AllowWheelScrolling) return 0;
     // Lists follow the arrow keys and one click everywhere.
     if (hint == SH_ItemView_ActivateItemOnSingleClick) return 0;
     return QProxyStyle::styleHint(hint, option, widget, result);
@@ -157,6 +163,16 @@ void apply(QApplication& application) {
   QApplication::setStyle(new Style);
   QApplication::setPalette(paletteOf(tones()));
   application.setStyleSheet(styleSheetOf(tones()));
+}
+
+void alignForm(QFormLayout& form) {
+  form.setContentsMargins(0, 0, 0, 0);
+  form.setSpacing(kSpace);
+  form.setLabelAlignment(Qt::AlignLeft);
+  for (int row = 0; row < form.rowCount(); ++row) {
+    const QLayoutItem* label = form.itemAt(row, QFormLayout::LabelRole);
+    if (label) label->widget()->setMinimumWidth(kLabelWidth);
+  }
 }
 
 QFont smallFont(const QWidget& widget) {

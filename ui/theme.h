@@ -11,6 +11,7 @@
 
 class QApplication;
 class QFont;
+class QFormLayout;
 class QPainter;
 class QWidget;
 
@@ -28,6 +29,9 @@ struct Tones {
   QColor original;  // curve of the original skin
   QColor edited;    // curve of the edited skin
   QColor error;
+  QColor plotBand;       // what a plot is about, and what lies beside it
+  QColor plotOuterBand;
+  QColor gridLine;
 };
 
 // Of the theme in use.
@@ -37,9 +41,14 @@ inline constexpr int kSpace = 8;
 inline constexpr int kHalfSpace = 4;
 inline constexpr int kDoubleSpace = 16;
 inline constexpr int kCornerRadius = 4;
+// Of the labels before the fields of a panel, so that the fields of all panels stand in one line.
+inline constexpr int kLabelWidth = 56;
 
 // Style, palette and style sheet of the whole program. Call once, before the first widget.
 void apply(QApplication& application);
+
+// A form of a panel: no margins, fields in line with those of the other panels. Call it last.
+void alignForm(QFormLayout& form);
 
 // Derived from the widget's own font, so that a larger system font carries through.
 QFont smallFont(const QWidget& widget);

@@ -3,11 +3,10 @@
 #include <array>
 #include <utility>
 
-#include "core/fit/coarse_fit.h"
 #include "core/skin/parameter_buffer.h"
-#include "src/app/exposure.h"
-#include "src/files/csv.h"
-#include "src/files/profile_file.h"
+#include "src/app/fit_method.h"
+#include "src/app/profiled_source.h"
+#include "src/app/scene_fit.h"
 #include "src/images/capture_file.h"
 #include "src/images/maps_file.h"
 
@@ -18,7 +17,9 @@ namespace {
 constexpr std::size_t kMemoryForPlanes = std::size_t{2} << 30;
 constexpr int kMapsIntervalMs = 50;
 
-QString sentenceOf(const Error& error) { return QString::fromStdString(error.text()); }
+QString sentenceOf(const Error& error) {
+  return QString::fromStdString(error.text());
+}
 
 }  // namespace
 
@@ -30,12 +31,19 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
   mapsTimer_.setSingleShot(true);
   mapsTimer_.setInterval(kMapsIntervalMs);
   connect(&mapsTimer_, &QTimer::timeout, this, &Document::mapsChanged);
+  // Cancelled by the user: a fit that is replaced or has failed is no longer under way here.
+  connect(&jobs, &JobRunner::finished, this, [this](JobId job) {
+    if (job == fitting_ && !fitted_) backToLastFit();
+  });
 }
 
+// The same photographs whatever they are fitted with.
 void Document::openSample() {
   startOpening(tr("Sample face patch"), {},
-               [store = store()](const auto& model, const JobContext& context) {
-                 return cutis::openSample(*model, store, context);
+               [this](const auto& model, const JobContext& context) -> Result<Source> {
+                 CUTIS_TRY(painted, engine_.model(kDefaultProfile, {}));
+                 CUTIS_TRY(sample, cutis::openSample(*painted, store_, context));
+                 return changeProfile(sample, {}, model, engine_, store_, context);
                });
 }
 
@@ -43,62 +51,49 @@ void Document::open(const std::filesystem::path& path) {
   if (!looksLikeCapture(path) && isMapsFile(path)) return openMaps(path);
   startOpening(QString::fromStdString(path.filename().string()), {path},
                [this, path](const auto& model, const JobContext& context) {
-                 return openExposed(path, model, context);
+                 return openForProfile(path, model, engine_, store_, context);
                });
 }
 
-Result<Source> Document::openExposed(const std::filesystem::path& path,
-                                     const std::shared_ptr<const SkinModel>& model,
-                                     const JobContext& context) {
-  CUTIS_TRY(source, openSource(path, {}, *model, store_, context.child(0.0, 0.4)));
-  if (!source.image) return std::move(source);
-  const Measurements& measurements = source.measurements;
-  CUTIS_TRY(solver, engine_.solver(model, measurements.rig, {}, context.child(0.4, 0.5)));
-  CUTIS_TRY(choice, chooseExposure(measurements, *solver, context.child(0.5, 0.6, "exposure")));
-  if (choice.exposure == 1.0) return std::move(source);
-  SourceOptions exposed;
-  exposed.exposure = choice.exposure;
-  context.say("Read at exposure " + formatNumber(choice.exposure, 3) + ", which brings " +
-              formatNumber(100.0 * choice.inside, 2) +
-              " % of the texture into the range of skin colours");
-  return openSource(path, exposed, *model, store_, context.child(0.6, 1.0));
+JobContext Document::contextOf(const JobRunner::Handle& job) {
+  JobContext context = job.context;
+  context.notice = [this, post = job.post](const std::string& sentence) {
+    post([this, text = QString::fromStdString(sentence)] { Q_EMIT noticed(text); });
+  };
+  return context;
 }
 
 void Document::startOpening(const QString& name, std::vector<std::filesystem::path> files,
                             Opener open) {
   jobs_.cancel(opening_);
-  opening_ = jobs_.start(tr("Open %1").arg(name), [this, open = std::move(open), files](
-                                                      const JobRunner::Handle& job) {
-    const auto fail = [&](const Error& error) {
-      job.post([this, sentence = sentenceOf(error)] { Q_EMIT failed(sentence); });
-    };
-    JobContext context = job.context;
-    context.notice = [this, post = job.post](const std::string& sentence) {
-      post([this, text = QString::fromStdString(sentence)] { Q_EMIT noticed(text); });
-    };
-    const auto model = engine_.model(kDefaultProfile, {});
-    if (model.failed()) return fail(model.error());
-    auto source = open(model.value(), context.child(0.0, 1.0, "reading"));
-    if (source.failed()) return fail(source.error());
-    if (!source) return;
-    auto shared = std::make_shared<const Source>(std::move(source).value());
-    Scene scene;
-    scene.model = model.value();
-    scene.source = shared;
-    const FitPlanes planes(shared->measurements, {}, store_);
-    scene.maps = planes.maps;
-    job.post([this, scene, files] {
-      take(scene, QString::fromStdString(scene.source->name), files);
-      startFit();
-    });
-  });
+  opening_ = jobs_.start(
+      tr("Open %1").arg(name),
+      [this, open = std::move(open), files, choice = usualFit_](const JobRunner::Handle& job) {
+        const auto fail = [&](const Error& error) {
+          job.post([this, sentence = sentenceOf(error)] { Q_EMIT failed(sentence); });
+        };
+        const JobContext context = contextOf(job);
+        const auto model = engine_.model(choice.profile, {});
+        if (model.failed()) return fail(model.error());
+        auto source = open(model.value(), context.child(0.0, 1.0, "reading"));
+        if (source.failed()) return fail(source.error());
+        if (!source) return;
+        auto shared = std::make_shared<const Source>(std::move(source).value());
+        Scene scene;
+        scene.model = model.value();
+        scene.source = shared;
+        scene.maps = FitPlanes(shared->measurements, {}, store_).maps;
+        job.post([this, scene, files, choice] {
+          take(scene, choice, QString::fromStdString(scene.source->name), files);
+          startFit();
+        });
+      });
 }
 
 void Document::openMaps(const std::filesystem::path& path) {
   jobs_.cancel(opening_);
   const QString name = QString::fromStdString(path.filename().string());
-  opening_ = jobs_.start(tr("Open %1").arg(name), [this, path, name](
-                                                      const JobRunner::Handle& job) {
+  opening_ = jobs_.start(tr("Open %1").arg(name), [this, path, name](const JobRunner::Handle& job) {
     const auto fail = [&](const Error& error) {
       job.post([this, sentence = sentenceOf(error)] { Q_EMIT failed(sentence); });
     };
@@ -113,61 +108,143 @@ void Document::openMaps(const std::filesystem::path& path) {
     Scene scene;
     scene.model = model.value();
     scene.maps = file.value().maps;
-    job.post([this, scene, name, path] {
-      take(scene, name, {path});
+    FitChoice choice = {model.value()->profile().name, FitMethod::refined, false};
+    if (const auto method = fitMethodNamed(attributes.method, {})) choice.method = method.value();
+    choice.shading = !file.value().shading.empty();
+    job.post([this, scene, choice, name, path] {
+      take(scene, choice, name, {path});
       fitted_ = true;
       Q_EMIT fitted();
     });
   });
 }
 
-void Document::take(Scene scene, const QString& name, std::vector<std::filesystem::path> files) {
-  jobs_.cancel(fitting_);
+void Document::take(Scene scene, const FitChoice& choice, const QString& name,
+                    std::vector<std::filesystem::path> files) {
+  cancelFit();
   scene_ = std::move(scene);
+  choice_ = choice;
   name_ = name;
   sourceFiles_ = std::move(files);
   fitted_ = false;
   statistics_ = {};
+  lastFit_.reset();
   history_ = {};
   Q_EMIT opened();
+  Q_EMIT fitChoiceChanged();
+}
+
+void Document::fitWith(const FitChoice& choice) {
+  const Status allowed = checkFitChoice(choice, *scene_->source);
+  if (allowed.failed()) {
+    Q_EMIT fitChoiceChanged();
+    Q_EMIT failed(sentenceOf(allowed.error()));
+    return;
+  }
+  if (choice == choice_ && (fitted_ || jobs_.isRunning(fitting_))) return;
+  if (lastFit_ && choice == lastFit_->choice) return backToLastFit();
+  choice_ = choice;
+  startFit();
+}
+
+void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network,
+                          const std::string& profile) {
+  engine_.addNetwork(std::move(network));
+  choice_ = {profile, FitMethod::network, false};
+  startFit();
 }
 
 void Document::startFit() {
-  fitting_ = jobs_.start(tr("Fit %1").arg(name_), [this, scene = *scene_, view = view_](
-                                                      const JobRunner::Handle& job) {
-    const auto fail = [&](const Error& error) {
-      job.post([this, sentence = sentenceOf(error)] { Q_EMIT failed(sentence); });
-    };
-    const Measurements& measurements = scene.source->measurements;
-    const auto solver = engine_.solver(scene.model, measurements.rig, {},
-                                       job.context.child(0.0, 0.1, "preparing"));
-    if (solver.failed()) return fail(solver.error());
-    if (!solver) return;
-    FitPlanes planes;
-    planes.maps = scene.maps;
-    FitObserver observer;
-    observer.finished = [this, post = job.post](const Rect&) {
-      post([this] {
-        if (!mapsTimer_.isActive()) mapsTimer_.start();
-      });
-    };
-    observer.view = [view] { return view->get(); };
-    const Status coarse = runCoarseFit(measurements, *solver.value(), scene.maps,
-                                       job.context.child(0.1, 0.15, "first impression"),
-                                       observer.finished);
-    if (coarse.failed()) return fail(coarse.error());
-    const auto statistics = runFit(measurements, *solver.value(), planes,
-                                   job.context.child(0.15, 1.0, solver.value()->stage()), observer);
-    if (statistics.failed()) return fail(statistics.error());
-    if (!statistics) return;
-    job.post([this, result = statistics.value()] {
-      statistics_ = result;
-      fitted_ = true;
-      mapsTimer_.stop();
-      Q_EMIT mapsChanged();
-      Q_EMIT fitted();
+  cancelFit();
+  fitted_ = false;
+  fitting_ =
+      jobs_.start(tr("Fit %1").arg(name_),
+                  [this, choice = choice_, scene = *scene_,
+                   path = sourceFiles_.empty() ? std::filesystem::path() : sourceFiles_.front()](
+                      const JobRunner::Handle& job) { fit(choice, scene, path, job); });
+  Q_EMIT fitChoiceChanged();
+}
+
+void Document::cancelFit() {
+  jobs_.cancel(std::exchange(fitting_, 0));
+  mapsTimer_.stop();
+}
+
+void Document::fit(const FitChoice& choice, Scene scene, const std::filesystem::path& path,
+                   const JobRunner::Handle& job) {
+  SceneFitObserver observer;
+  observer.begun = [this, post = job.post](const Scene& begun) {
+    post([this, begun] { show(begun); });
+  };
+  observer.changed = [this, post = job.post] {
+    post([this] {
+      if (!mapsTimer_.isActive()) mapsTimer_.start();
     });
-  });
+  };
+  observer.view = [view = view_] { return view->get(); };
+  const JobContext context = contextOf(job).child(0.0, 1.0, "preparing");
+  const auto statistics = [&]() -> Result<FitStatistics> {
+    CUTIS_TRY(model, engine_.model(choice.profile, {}));
+    if (model != scene.model) {
+      CUTIS_TRY(source, changeProfile(*scene.source, path, model, engine_, store_,
+                                      context.child(0.0, 0.1)));
+      scene.model = model;
+      scene.source = std::make_shared<const Source>(std::move(source));
+    }
+    if (choice.method == FitMethod::network) {
+      CUTIS_TRY(network, engine_.network(model->profile(), scene.source->measurements.rig));
+      if (network == nullptr) {
+        job.post([this] { fitWithoutNetwork(); });
+        return Cancelled{};
+      }
+    }
+    return fitScene(scene, choice, engine_, store_, context.child(0.1, 1.0), observer);
+  }();
+  if (statistics.failed()) {
+    job.post([this, sentence = sentenceOf(statistics.error())] {
+      backToLastFit();
+      Q_EMIT failed(sentence);
+    });
+  } else if (statistics) {
+    job.post([this, result = statistics.value()] { completeFit(result); });
+  }
+}
+
+void Document::show(const Scene& fitted) {
+  const EditStack edits = scene_->edits;
+  scene_ = fitted;
+  scene_->edits = edits;
+  Q_EMIT sceneReplaced();
+}
+
+void Document::completeFit(const FitStatistics& statistics) {
+  statistics_ = statistics;
+  fitted_ = true;
+  lastFit_ = {choice_, *scene_, statistics};
+  mapsTimer_.stop();
+  Q_EMIT mapsChanged();
+  Q_EMIT fitted();
+}
+
+void Document::backToLastFit() {
+  cancelFit();
+  if (!lastFit_) return;
+  choice_ = lastFit_->choice;
+  statistics_ = lastFit_->statistics;
+  fitted_ = true;
+  show(lastFit_->scene);
+  Q_EMIT fitChoiceChanged();
+}
+
+void Document::fitWithoutNetwork() {
+  const bool hadAnother = lastFit_ && lastFit_->choice.method != FitMethod::network;
+  choice_.method = hadAnother ? lastFit_->choice.method : FitMethod::refined;
+  if (lastFit_ && lastFit_->choice == choice_) {
+    backToLastFit();
+  } else {
+    startFit();
+  }
+  Q_EMIT networkMissing();
 }
 
 void Document::lookAt(const Rect& view) {

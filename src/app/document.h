@@ -2,9 +2,9 @@
 
 // One subject: what was opened, its maps, its edits.
 //
-// All change goes through apply(), undo() and open…(): they cancel what they invalidate, keep the
-// history and tell who watches. Reading and fitting run in the background; whatever can be shown is
-// shown before they end. The document never waits.
+// All change goes through apply(), undo(), fitWith() and open…(): they cancel what they invalidate,
+// keep the history and tell who watches. Reading and fitting run in the background; whatever can be
+// shown is shown before they end. The document never waits.
 //
 // Lives on the interface thread. What pictures are made of is handed out as a Scene, which any
 // thread may read.
@@ -20,9 +20,9 @@
 #include <QTimer>
 
 #include "core/base/result.h"
-#include "core/fit/fit_options.h"
 #include "core/fit/fit_run.h"
 #include "src/app/engine.h"
+#include "src/app/fit_choice.h"
 #include "src/app/job_runner.h"
 #include "src/app/scene.h"
 #include "src/app/shared_rect.h"
@@ -46,6 +46,9 @@ class Document : public QObject {
   // Both outlive the document.
   Document(Engine& engine, JobRunner& jobs, QObject* parent = nullptr);
 
+  // How what is opened from now on is fitted at first.
+  void setUsualFit(const FitChoice& choice) { usualFit_ = choice; }
+
   // Each replaces what is open once it could be read; a failure leaves it as it was.
   void openSample();
   // A capture's folder, capture.json, an image or maps.
@@ -60,9 +63,20 @@ class Document : public QObject {
   // Precondition: isOpen().
   const Scene& scene() const { return *scene_; }
   const FitStatistics& statistics() const { return statistics_; }
+  // Whether there is something to fit: opened maps stay what they are.
+  bool canFit() const { return isOpen() && scene_->source != nullptr; }
+  // How the maps were fitted, or are being fitted.
+  const FitChoice& fitChoice() const { return choice_; }
 
   // What somebody looks at: a fit that is under way does its tiles first.
   void lookAt(const Rect& view);
+
+  // Fits again, edits are kept; a choice that cannot be is told. Where the fit fails or is
+  // cancelled the last complete one comes back. Precondition: canFit().
+  void fitWith(const FitChoice& choice);
+  // Adds a network of the profile and the source's lights to the engine and fits with it.
+  // Precondition: canFit().
+  void useNetwork(std::shared_ptr<const ChromophoreNetwork> network, const std::string& profile);
 
   // Precondition for the rest: isOpen().
   void apply(const Command& command);
@@ -87,7 +101,12 @@ class Document : public QObject {
   void opened();
   // The maps have new values. At most 20 times a second.
   void mapsChanged();
+  // Maps, profile and what depends on the profile are others; size and edits are as they were.
+  void sceneReplaced();
   void fitted();
+  void fitChoiceChanged();
+  // There is no network for the lights and the profile; another method is used instead.
+  void networkMissing();
   void editsChanged(bool moving);
   // One sentence for the user.
   void failed(const QString& sentence);
@@ -98,15 +117,21 @@ class Document : public QObject {
                                               const JobContext& context)>;
 
   void startOpening(const QString& name, std::vector<std::filesystem::path> files, Opener open);
-  // An albedo texture comes with the exposure that brings most of it into the model's range.
-  Result<Source> openExposed(const std::filesystem::path& path,
-                             const std::shared_ptr<const SkinModel>& model,
-                             const JobContext& context);
   void openMaps(const std::filesystem::path& path);
-  void take(Scene scene, const QString& name, std::vector<std::filesystem::path> files);
+  void take(Scene scene, const FitChoice& choice, const QString& name,
+            std::vector<std::filesystem::path> files);
+  // With notices for the user.
+  JobContext contextOf(const JobRunner::Handle& job);
   void startFit();
+  void cancelFit();
+  // On the thread of the job.
+  void fit(const FitChoice& choice, Scene scene, const std::filesystem::path& path,
+           const JobRunner::Handle& job);
+  void show(const Scene& fitted);
+  void completeFit(const FitStatistics& statistics);
+  void backToLastFit();
+  void fitWithoutNetwork();
   void setEdits(bool moving);
-  std::shared_ptr<TileStore> store() const { return store_; }
 
   Engine& engine_;
   JobRunner& jobs_;
@@ -118,8 +143,17 @@ class Document : public QObject {
   std::optional<Scene> scene_;
   QString name_;
   std::vector<std::filesystem::path> sourceFiles_;
+  FitChoice usualFit_;
+  FitChoice choice_;
   bool fitted_ = false;
   FitStatistics statistics_;
+  // The last one that was complete.
+  struct Fit {
+    FitChoice choice;
+    Scene scene;
+    FitStatistics statistics;
+  };
+  std::optional<Fit> lastFit_;
   std::shared_ptr<SharedRect> view_ = std::make_shared<SharedRect>();  // shared with the fit
   UndoHistory history_;
 };

@@ -19,31 +19,16 @@ namespace {
 // Simulated faces that decide what the first stage of the three-stage search holds fixed.
 constexpr int kTrainingPopulation = 1000;
 
-Result<ChromophoreNetwork> builtInNetwork(const Profile& profile, const Rig& rig) {
-  const std::string wantedProfile = fingerprint(profile);
-  const std::string wantedChannels = fingerprint(networkChannels(rig));
-  for (const std::string& name : builtInNetworkNames()) {
-    CUTIS_TRY(file, builtInNetworks(name));
-    if (file.chromophores.profile == wantedProfile && file.chromophores.channels == wantedChannels)
-      return std::move(file.chromophores);
-  }
+// What a network is for, as a key.
+std::string purposeOf(const std::string& profile, const std::string& channels) {
+  return profile + channels;
+}
+
+Error noNetwork(const Profile& profile, const Rig& rig) {
   return inputError("--method", "no network is built in for rig '" + rig.name +
                                     "' with these lights and profile '" + profile.name +
                                     "'; train one with " + trainingCommand(profile, rig) +
                                     " and give it with --weights");
-}
-
-Result<std::shared_ptr<const PixelSolver>> networkSolver(const SkinModel& model, const Rig& rig,
-                                                         const FitOptions& options) {
-  std::shared_ptr<const ChromophoreNetwork> network = options.network;
-  if (network == nullptr) {
-    CUTIS_TRY(found, builtInNetwork(model.profile(), rig));
-    network = std::make_shared<const ChromophoreNetwork>(std::move(found));
-  } else {
-    CUTIS_CHECK(checkNetworkMatches(*network, model.profile(), rig, "--weights"));
-  }
-  return std::shared_ptr<const PixelSolver>(
-      makeNetworkSolver(*network, std::make_shared<const ResponseModel>(model, responseRows(rig))));
 }
 
 }  // namespace
@@ -92,7 +77,7 @@ Result<std::shared_ptr<const PixelSolver>> Engine::solver(
   if (options.method == FitMethod::refined) {
     return std::shared_ptr<const PixelSolver>(makeRefinedSolver(model, rig, options));
   }
-  if (options.method == FitMethod::network) return networkSolver(*model, rig, options);
+  if (options.method == FitMethod::network) return networkSolver(*model, rig, options.network);
   CUTIS_TRY(search, tableSearch(*model, rig, context.child(0.0, 0.8, "table of skin")));
   auto channels = std::make_shared<const ResponseModel>(*model, responseRows(rig));
   if (options.method == FitMethod::fullSearch) {
@@ -101,6 +86,37 @@ Result<std::shared_ptr<const PixelSolver>> Engine::solver(
   const int carotene = search->mostFrequentCarotene(*model, rig, kTrainingPopulation);
   return std::shared_ptr<const PixelSolver>(
       makeThreeStageSolver(search, carotene, std::move(channels)));
+}
+
+Result<std::shared_ptr<const PixelSolver>> Engine::networkSolver(
+    const SkinModel& model, const Rig& rig, std::shared_ptr<const ChromophoreNetwork> given) const {
+  if (given == nullptr) {
+    CUTIS_TRY(found, network(model.profile(), rig));
+    if (found == nullptr) return noNetwork(model.profile(), rig);
+    given = found;
+  } else {
+    CUTIS_CHECK(checkNetworkMatches(*given, model.profile(), rig, "--weights"));
+  }
+  return std::shared_ptr<const PixelSolver>(
+      makeNetworkSolver(*given, std::make_shared<const ResponseModel>(model, responseRows(rig))));
+}
+
+Result<std::shared_ptr<const ChromophoreNetwork>> Engine::network(const Profile& profile,
+                                                                  const Rig& rig) const {
+  const std::string wanted = purposeOf(fingerprint(profile), fingerprint(networkChannels(rig)));
+  if (auto added = find(networks_, wanted)) return added;
+  for (const std::string& name : builtInNetworkNames()) {
+    CUTIS_TRY(file, builtInNetworks(name));
+    if (purposeOf(file.chromophores.profile, file.chromophores.channels) != wanted) continue;
+    return std::make_shared<const ChromophoreNetwork>(std::move(file.chromophores));
+  }
+  return std::shared_ptr<const ChromophoreNetwork>();
+}
+
+void Engine::addNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
+  const std::string purpose = purposeOf(network->profile, network->channels);
+  const std::scoped_lock lock(mutex_);
+  networks_[purpose] = std::move(network);
 }
 
 Result<std::shared_ptr<const ResponseModel>> Engine::picture(

@@ -18,6 +18,7 @@
 #include "core/fit/fit_options.h"
 #include "core/fit/pixel_solver.h"
 #include "core/fit/table_search.h"
+#include "core/neural/chromophore_network.h"
 #include "core/rig/rig.h"
 #include "core/skin/response_model.h"
 #include "core/skin/skin_model.h"
@@ -37,12 +38,18 @@ class Engine {
   Result<std::shared_ptr<const SkinModel>> modelFromText(const std::string& text,
                                                          const std::string& place);
 
-  // The method network takes the network of the options, or else the one that travels inside the
-  // program for the rig and the profile; fails with the command that trains one if it is of another
-  // rig or profile, or there is none.
+  // The method network takes the network of the options, or else that of network(); fails with the
+  // command that trains one if it is of another rig or profile, or there is none.
   Result<std::shared_ptr<const PixelSolver>> solver(const std::shared_ptr<const SkinModel>& model,
                                                     const Rig& rig, const FitOptions& options,
                                                     const JobContext& context);
+
+  // The network for the channels of a rig and a profile: the last one added, or else the one that
+  // travels inside the program; null if there is none. Some milliseconds.
+  Result<std::shared_ptr<const ChromophoreNetwork>> network(const Profile& profile,
+                                                            const Rig& rig) const;
+  // Precondition: the network passed validate().
+  void addNetwork(std::shared_ptr<const ChromophoreNetwork> network);
 
   // A picture of the model's skin, of maps that bring along the constants that are `free`: then it
   // takes some seconds where it is new.
@@ -64,11 +71,16 @@ class Engine {
   std::shared_ptr<const T> keep(Cache<T>& cache, const std::string& key,
                                 std::shared_ptr<const T> made);
 
+  Result<std::shared_ptr<const PixelSolver>> networkSolver(
+      const SkinModel& model, const Rig& rig,
+      std::shared_ptr<const ChromophoreNetwork> given) const;
+
   std::filesystem::path cache_;
   mutable std::mutex mutex_;
   Cache<SkinModel> models_;
   Cache<TableSearch> searches_;
   Cache<ResponseModel> pictures_;
+  Cache<ChromophoreNetwork> networks_;  // those added, by what they are for
 };
 
 }  // namespace cutis

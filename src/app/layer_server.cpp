@@ -10,11 +10,15 @@ namespace {
 constexpr int kPictureItself = 0;
 constexpr int kCoarserWhileMoving = 2;
 
-bool showsMaps(LayerKind layer) { return layer != LayerKind::photograph; }
+bool showsMaps(LayerKind layer) {
+  return layer != LayerKind::photograph;
+}
 
 }  // namespace
 
-LayerWatch::~LayerWatch() { server_.remove(this); }
+LayerWatch::~LayerWatch() {
+  server_.remove(this);
+}
 
 void LayerWatch::want(const LayerRequest& request) {
   if (request == request_) return;
@@ -27,6 +31,12 @@ LayerServer::LayerServer(Document& document, Engine& engine, JobRunner& jobs, QO
     : QObject(parent), document_(document), engine_(engine), jobs_(jobs) {
   connect(&document, &Document::opened, this, &LayerServer::forget);
   connect(&document, &Document::mapsChanged, this, [this] { invalidate(showsMaps); });
+  connect(&document, &Document::sceneReplaced, this, [this] {
+    // A part of the old scene must not be taken for one of the new.
+    jobs_.cancel(job_);
+    job_ = 0;
+    invalidate([](LayerKind) { return true; });
+  });
   connect(&document, &Document::editsChanged, this, [this](bool moving) {
     moving_ = moving;
     // A part at full resolution that is out of date would only delay the next.
@@ -50,7 +60,9 @@ void LayerServer::setPicture(const PictureRequest& picture) {
   invalidate([](LayerKind layer) { return layer == LayerKind::skin; });
 }
 
-bool LayerServer::isIdle() const { return job_ == 0 && mostUrgent() == nullptr; }
+bool LayerServer::isIdle() const {
+  return job_ == 0 && mostUrgent() == nullptr;
+}
 
 void LayerServer::invalidate(const std::function<bool(LayerKind)>& concerns) {
   for (LayerWatch* watch : watches_) {
@@ -70,7 +82,9 @@ void LayerServer::forget() {
   }
 }
 
-void LayerServer::remove(const LayerWatch* watch) { std::erase(watches_, watch); }
+void LayerServer::remove(const LayerWatch* watch) {
+  std::erase(watches_, watch);
+}
 
 LayerWatch* LayerServer::mostUrgent() const {
   LayerWatch* urgent = nullptr;
@@ -92,8 +106,8 @@ void LayerServer::startNext() {
   jobIsCoarse_ = moving_;
   LayerRequest request = watch->request_;
   if (moving_) request.step *= kCoarserWhileMoving;
-  job_ = jobs_.startQuiet([this, watch, request, scene = document_.scene(), picture = picture_](
-                              const JobRunner::Handle& job) {
+  job_ = jobs_.startQuiet([this, watch, request, scene = document_.scene(),
+                           picture = picture_](const JobRunner::Handle& job) {
     auto part = renderLayer(scene, engine_, picture, request, job.context);
     if (part.failed()) {
       job.post([this, sentence = QString::fromStdString(part.error().text())] {

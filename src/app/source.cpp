@@ -4,15 +4,14 @@
 #include <cstddef>
 #include <utility>
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "core/base/parallel.h"
 #include "core/rig/surface_reflection.h"
 #include "core/simulate/photograph.h"
 #include "core/simulate/skin_patch.h"
-#include "core/skin/parameter_sampling.h"
 #include "core/spectra/colorimetry.h"
+#include "src/app/daylight_matrix.h"
 #include "src/app/photograph_part.h"
 #include "src/color/color_space.h"
 #include "src/files/recipe_file.h"
@@ -30,39 +29,10 @@ constexpr double kSampleNoise = 0.005;
 // Half a step of an 8-bit sRGB texture at middle grey, as a standard deviation of linear values.
 constexpr double kEightBitRead = 0.0005;
 
-// Skin that a camera's colours are matched over, and how much the white of the diffuser counts
-// beside it.
-constexpr int kMatchedSpectra = 2000;
-constexpr double kWhiteWeight = 200.0;
-
 std::string titleOf(const std::filesystem::path& path) {
-  const auto name = path.filename() == "capture.json" ? path.parent_path().filename()
-                                                      : path.filename();
+  const auto name =
+      path.filename() == "capture.json" ? path.parent_path().filename() : path.filename();
   return name.empty() ? path.string() : name.string();
-}
-
-// Channels of the rig's first light to linear Rec.709 under D65.
-Result<Eigen::Matrix3d> colorMatrix(const Rig& rig, const SkinModel& model) {
-  CUTIS_TRY(daylight, loadLight({"D65", {}, {}}));
-  CUTIS_TRY(standard, loadCamera({"cie1931", {}, {}}));
-  const Eigen::Vector3d white = whitePoint(daylight, standard.sensor);
-  const Eigen::Matrix3d fromXyz = xyzFromRec709(white).inverse();
-  const SpectrumRows channels = responseRows(rig).topRows(3);
-  const SpectrumRows xyz = tristimulusRows(daylight, standard.sensor);
-
-  Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d cross = Eigen::Matrix3d::Zero();
-  const auto match = [&](const Eigen::VectorXd& spectrum, double weight) {
-    const Eigen::Vector3d seen = channels.matrix() * spectrum;
-    const Eigen::Vector3d wanted = fromXyz * (xyz.matrix() * spectrum);
-    gram += weight * seen * seen.transpose();
-    cross += weight * seen * wanted.transpose();
-  };
-  for (const ParameterVector& skin : sampleBox(model.profile().axes, kMatchedSpectra)) {
-    match(model.reflectance(skin).matrix(), 1.0);
-  }
-  match(Eigen::VectorXd::Ones(kSampleCount), kWhiteWeight);
-  return Eigen::Matrix3d(gram.ldlt().solve(cross).transpose());
 }
 
 Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions& options,
@@ -82,8 +52,8 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
   source.name = titleOf(path);
   source.measurements = std::move(albedo.measurements);
   if (albedo.source.sourceType == SampleType::uint8) {
-    source.measurements.rig.noise.read = std::max(source.measurements.rig.noise.read,
-                                                  kEightBitRead);
+    source.measurements.rig.noise.read =
+        std::max(source.measurements.rig.noise.read, kEightBitRead);
   }
   CUTIS_TRY(space, canonicalColorSpace(albedo.colorSpace, path.string()));
   source.colorSpace = space;
@@ -103,7 +73,8 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
     return usageError(options.colorSpace.empty() ? "--exposure" : "--colorspace",
                       "a capture is linear and calibrated; this is for single images");
   }
-  CUTIS_TRY(capture, readCapture(path, {options.rig, options.lights, options.mask}, store, context));
+  CUTIS_TRY(capture,
+            readCapture(path, {options.rig, options.lights, options.mask}, store, context));
   Source source;
   source.name = titleOf(path);
   source.measurements = std::move(capture.measurements);
@@ -112,7 +83,7 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
                                       source.measurements));
   source.metadata = std::move(capture.metadata);
   source.references = std::move(capture.sources);
-  CUTIS_TRY(matrix, colorMatrix(source.measurements.rig, model));
+  CUTIS_TRY(matrix, daylightMatrix(source.measurements.rig, model));
   source.toRec709 = matrix;
   return source;
 }
@@ -132,12 +103,12 @@ Result<Source> openSample(const SkinModel& model, const std::shared_ptr<TileStor
   CUTIS_TRY(rig, loadRig(kSampleRig, {}, {}));
   CUTIS_TRY(skin, simulateSkin(recipe.skin, recipe.width, recipe.height, recipe.seed,
                                model.profile().axes, store, context.child(0.0, 0.4)));
-  CUTIS_TRY(measurements, photograph(skin, model, rig, kSampleNoise, recipe.seed,
-                                     context.child(0.4, 1.0)));
+  CUTIS_TRY(measurements,
+            photograph(skin, model, rig, kSampleNoise, recipe.seed, context.child(0.4, 1.0)));
   Source source;
   source.name = "Sample face patch";
   source.measurements = std::move(measurements);
-  CUTIS_TRY(matrix, colorMatrix(rig, model));
+  CUTIS_TRY(matrix, daylightMatrix(rig, model));
   source.toRec709 = matrix;
   return source;
 }
@@ -150,13 +121,14 @@ Result<std::vector<Plane>> sourcePicture(const Source& source,
   for (int c = 0; c < 3; ++c) {
     planes.emplace_back(state.width(), state.height(), PixelFormat::float32, store);
   }
-  CUTIS_CHECK(parallelFor(
-      static_cast<std::size_t>(state.tileCount()), context, [&](std::size_t i) -> Status {
-        const Rect rect = state.tileRect(static_cast<int>(i));
-        CUTIS_TRY(part, photographPart(source, rect, 1));
-        for (std::size_t c = 0; c < 3; ++c) CUTIS_CHECK(planes[c].store(rect, part.channels[c]));
-        return {};
-      }));
+  CUTIS_CHECK(parallelFor(static_cast<std::size_t>(state.tileCount()), context,
+                          [&](std::size_t i) -> Status {
+                            const Rect rect = state.tileRect(static_cast<int>(i));
+                            CUTIS_TRY(part, photographPart(source, rect, 1));
+                            for (std::size_t c = 0; c < 3; ++c)
+                              CUTIS_CHECK(planes[c].store(rect, part.channels[c]));
+                            return {};
+                          }));
   return planes;
 }
 

@@ -1,14 +1,13 @@
 #include "src/cli/fit_arguments.h"
 
-#include <array>
 #include <utility>
 
 #include "core/fit/shading.h"
+#include "src/app/fit_method.h"
 #include "src/cli/free_option.h"
 #include "src/files/csv.h"
 #include "src/files/network_file.h"
 #include "src/files/profile_file.h"
-#include "src/files/suggestion.h"
 
 namespace cutis {
 namespace {
@@ -16,21 +15,6 @@ namespace {
 constexpr double kLeastExposure = 1e-6;
 constexpr double kMostExposure = 1e6;
 constexpr double kMostNoise = 1.0;
-
-constexpr std::array<std::pair<const char*, FitMethod>, 4> kMethods = {
-    {{"refined", FitMethod::refined},
-     {"three-stage", FitMethod::threeStage},
-     {"full-search", FitMethod::fullSearch},
-     {"network", FitMethod::network}}};
-
-Result<FitMethod> methodNamed(const std::string& name) {
-  std::vector<std::string> known;
-  for (const auto& [knownName, method] : kMethods) {
-    if (name == knownName) return method;
-    known.emplace_back(knownName);
-  }
-  return usageError("--method", "unknown method '" + name + "'; " + suggestName(name, known));
-}
 
 // The other methods know neither a prior nor parameters that are held.
 Status checkMethodOptions(const FitArguments& arguments, FitMethod method) {
@@ -141,8 +125,9 @@ std::string firstGiven(const FitArguments& arguments) {
 Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
   FitRequest request;
   request.profile = arguments.profile.empty() ? kDefaultProfile : arguments.profile;
-  request.methodName = arguments.method.empty() ? kMethods.front().first : arguments.method;
-  CUTIS_TRY(method, methodNamed(request.methodName));
+  request.methodName =
+      arguments.method.empty() ? fitMethodName(FitMethod::refined) : arguments.method;
+  CUTIS_TRY(method, fitMethodNamed(request.methodName, "--method"));
   request.options.method = method;
   CUTIS_CHECK(checkMethodOptions(arguments, method));
   request.source.rig = arguments.rig;

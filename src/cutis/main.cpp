@@ -10,7 +10,10 @@
 #include <iterator>
 
 #include "core/base/instruction_set.h"
+#include "src/app/fit_choice.h"
+#include "src/app/fit_method.h"
 #include "src/files/platform.h"
+#include "src/files/profile_file.h"
 #include "ui/main_window.h"
 #include "ui/progress_strip.h"
 #include "ui/script.h"
@@ -30,7 +33,12 @@ struct Arguments {
   std::optional<QSize> size;
   std::vector<cutis::ScriptLine> script;
   std::string scriptPlace;
+  cutis::FitChoice fit;
 };
+
+int statusOf(const cutis::Error& error) {
+  return error.kind == cutis::ErrorKind::usage ? kBadUsage : kBadInput;
+}
 
 int fail(int status, const std::string& sentence) {
   std::fprintf(stderr, "cutis: %s\n", sentence.c_str());
@@ -44,6 +52,21 @@ std::optional<QSize> parseSize(const QString& text) {
   const bool good = sides.size() == 2 && widthIsNumber && heightIsNumber && size.width() >= 320 &&
                     size.height() >= 240 && size.width() <= 8192 && size.height() <= 8192;
   return good ? std::optional<QSize>(size) : std::nullopt;
+}
+
+// Empty texts keep what is usual.
+cutis::Result<cutis::FitChoice> parseFit(const std::string& profile, const std::string& method) {
+  cutis::FitChoice fit;
+  if (!method.empty()) {
+    CUTIS_TRY(named, cutis::fitMethodNamed(method, "--method"));
+    fit.method = named;
+  }
+  if (!profile.empty()) {
+    CUTIS_TRY(known, cutis::loadProfile(profile, "--profile"));
+    static_cast<void>(known);
+    fit.profile = profile;
+  }
+  return fit;
 }
 
 // Runs the script line by line, each when the editor is idle, takes the picture and quits.
@@ -88,6 +111,7 @@ class Automaton : public QObject {
 
 int runEditor(QApplication& application, const Arguments& arguments) {
   cutis::MainWindow window(std::make_unique<cutis::Engine>(cutis::cacheFolder()));
+  window.document().setUsualFit(arguments.fit);
   if (arguments.size) window.resize(*arguments.size);
   window.show();
   if (arguments.sample) window.openSample();
@@ -135,7 +159,15 @@ int main(int argc, char** argv) {
   const QCommandLineOption script("script", QObject::tr("Commands to run before the picture."),
                                   "FILE");
   const QCommandLineOption reset("reset-settings", QObject::tr("Forget all settings."));
-  parser.addOptions({sample, screenshot, size, script, reset});
+  const QCommandLineOption profile(
+      "profile",
+      QObject::tr("Skin model: a built-in name or a JSON file (default: %1).")
+          .arg(cutis::kDefaultProfile),
+      "NAME|FILE");
+  const QCommandLineOption method(
+      "method",
+      QObject::tr("How to fit: refined (default), network, three-stage or full-search."), "METHOD");
+  parser.addOptions({sample, profile, method, screenshot, size, script, reset});
   if (!parser.parse(application.arguments())) {
     return fail(kBadUsage, parser.errorText().toStdString() + "; see cutis --help");
   }
@@ -161,6 +193,10 @@ int main(int argc, char** argv) {
     if (lines.failed()) return fail(kBadInput, lines.error().text());
     arguments.script = std::move(lines).value();
   }
+  const auto fit =
+      parseFit(parser.value(profile).toStdString(), parser.value(method).toStdString());
+  if (fit.failed()) return fail(statusOf(fit.error()), fit.error().text());
+  arguments.fit = fit.value();
   if (parser.isSet(reset)) QSettings().clear();
   cutis::theme::apply(application);
   return runEditor(application, arguments);

@@ -1,6 +1,7 @@
 #include "ui/axis_ticks.h"
 
 #include <cmath>
+#include <limits>
 
 #include <QtTest>
 
@@ -35,6 +36,19 @@ class AxisTicksTest : public QObject {
     const std::vector<double> ticks = ticksWithin(0, 0.3, 0.1);
     QCOMPARE(ticks.size(), std::size_t(4));
     EXPECT_NEAR(ticks.back(), 0.3, 1e-12);
+  }
+
+  void logarithmicTicksAreRoundAndNotTooMany() {
+    const std::vector<double> fine = logarithmicTicks(0.001, 0.02, 9);
+    const std::vector<double> expected = {0.001, 0.002, 0.005, 0.01, 0.02};
+    QCOMPARE(fine.size(), expected.size());
+    for (std::size_t i = 0; i < fine.size(); ++i)
+      EXPECT_NEAR(fine[i], expected[i], 1e-12);
+    QCOMPARE(logarithmicTicks(0.001, 0.02, 4).size(), std::size_t(2));
+    QVERIFY(logarithmicTicks(0.0, 1.0, 9).empty());
+    QVERIFY(logarithmicTicks(1.0, 0.5, 9).empty());
+    QVERIFY(logarithmicTicks(1.0, std::numeric_limits<double>::infinity(), 9).empty());
+    QVERIFY(logarithmicTicks(std::nan(""), 1.0, 9).empty());
   }
 
   void textsHaveTheDigitsTheyNeed() {

@@ -1,0 +1,271 @@
+// Profile, method and training in the window, by mouse and keys, on the embedded sample.
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "src/app/usual_training.h"
+#include "src/files/network_file.h"
+#include "src/files/resources.h"
+#include "tests/support/expect.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_registry.h"
+#include "ui/fit_controller.h"
+#include "ui/main_window.h"
+#include "ui/neutral_slider.h"
+#include "ui/progress_strip.h"
+#include "ui/training_controller.h"
+#include "ui/training_dialog.h"
+#include "ui/viewport.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kPatienceMs = 120000;
+
+NetworkTraining quickTraining(const Rig& rig, const std::string& profile) {
+  NetworkTraining training = usualTraining(rig, profile);
+  training.spectra.hidden = training.chromophores.hidden = {8, 8};
+  training.spectra.people.count = training.chromophores.people.count = 2000;
+  training.spectra.trainer.epochs = training.chromophores.trainer.epochs = 3;
+  training.tableStep = 997;
+  return training;
+}
+
+class FitWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                       QString::fromStdString(folder_.path().string()));
+    QCoreApplication::setOrganizationName("cutis-test");
+    std::string text(*resource("profiles/li2024.json"));
+    const std::string thickness = "\"thickness_mm\": 0.32";
+    text.replace(text.find(thickness), thickness.size(), "\"thickness_mm\": 0.31");
+    foreign_ = QString::fromStdString(folder_.write("foreign.json", text).string());
+  }
+
+  void init() {
+    // What the platform without a display says of itself is no fault.
+    QTest::failOnWarning(QRegularExpression("^(?!This plugin does not support)"));
+    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
+    window_->training().setPlan(quickTraining);
+    window_->resize(1280, 800);
+    window_->show();
+    window_->openSample();
+    waitUntilIdle();
+  }
+  void cleanup() { window_.reset(); }
+
+  void theProfileChangesThePictureAndTheWayBackIsTheSame() {
+    QTest::keyClick(sliderNamed("Melanin"), Qt::Key_PageUp);
+    waitUntilIdle();
+    const double factor = sliderNamed("Melanin")->number();
+    const QRect view = viewOf();
+    const QImage before = pictureOf();
+    QTest::keyClick(boxNamed("Profile"), Qt::Key_Up);
+    QCOMPARE(boxNamed("Profile")->currentText(), QString("li2024"));
+    waitUntilIdle();
+    QVERIFY(pictureOf() != before);
+    QCOMPARE(sliderNamed("Melanin")->number(), factor);
+    QCOMPARE(viewOf(), view);
+    QTest::keyClick(boxNamed("Profile"), Qt::Key_Down);
+    waitUntilIdle();
+    QVERIFY(pictureOf() == before);
+    QCOMPARE(sliderNamed("Melanin")->number(), factor);
+  }
+
+  void changesDuringAFitEndWithTheLast() {
+    for (const int key : {Qt::Key_Down, Qt::Key_Down, Qt::Key_Up}) {
+      QTest::keyClick(boxNamed("Method"), static_cast<Qt::Key>(key));
+      QTest::qWait(10);
+    }
+    waitUntilIdle();
+    QCOMPARE(boxNamed("Method")->currentText(), QString("Network"));
+    QCOMPARE(window_->document().fitChoice().method, FitMethod::network);
+    QVERIFY(window_->document().isFitted());
+  }
+
+  void aFitThatIsCancelledLeavesThePictureAndThePanel() {
+    const QImage before = pictureOf();
+    QTest::keyClick(boxNamed("Profile"), Qt::Key_Up);
+    QTRY_VERIFY(window_->progress().jobRuns());
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    QCOMPARE(boxNamed("Profile")->currentText(), QString("skin2026"));
+    waitUntilIdle();
+    QVERIFY(pictureOf() == before);
+    QVERIFY(window_->document().isFitted());
+  }
+
+  void aFileThatIsNoProfileIsTold() {
+    const QString broken = QString::fromStdString(folder_.write("broken.json", "{").string());
+    window_->fit().fitWithProfile(broken);
+    waitUntilIdle();
+    QVERIFY(window_->progress().message().contains("broken.json"));
+    QCOMPARE(boxNamed("Profile")->currentText(), QString("skin2026"));
+    QCOMPARE(boxNamed("Profile")->findData(broken), -1);
+  }
+
+  void aNetworkIsTrainedAndUsed() {
+    window_->fit().fitWithProfile(foreign_);
+    waitUntilIdle();
+    QPushButton* train = buttonNamed(*window_, "Train one (about 15 s)");
+    QVERIFY(!train->isVisible());
+    QTest::keyClick(boxNamed("Method"), Qt::Key_Down);
+    waitUntilIdle();
+    QVERIFY(train->isVisible());
+    QCOMPARE(boxNamed("Method")->currentText(), QString("Refined"));
+    const QImage before = pictureOf();
+
+    QTest::mouseClick(train, Qt::LeftButton);
+    TrainingDialog& dialog = window_->training().dialog();
+    QVERIFY(dialog.isVisible() && dialog.isTraining() && !dialog.isModal());
+    QVERIFY(!buttonNamed(dialog, "Use it")->isVisible());
+    // Whatever is looked at meanwhile: the network is of the profile it was trained for.
+    window_->fit().fitWithProfile("skin2026");
+    waitUntilIdle();
+    QVERIFY(!dialog.isTraining() && window_->training().isTrained());
+    QTest::mouseClick(buttonNamed(dialog, "Use it"), Qt::LeftButton);
+    QVERIFY(!dialog.isVisible());
+    waitUntilIdle();
+    QCOMPARE(boxNamed("Method")->currentText(), QString("Network"));
+    QVERIFY(!train->isVisible());
+    QVERIFY(pictureOf() == before);  // the photograph
+    QVERIFY(window_->document().fitChoice().profile == foreign_.toStdString());
+  }
+
+  void weightsAreSavedAsTheCommandLineReadsThem() {
+    window_->training().train();
+    waitUntilIdle();
+    const QString path = file("weights.json");
+    window_->training().save(path);
+    waitUntilIdle();
+    const auto read = readNetworks(path.toStdString());
+    EXPECT_OK(read);
+    QCOMPARE(read.value().rig, std::string("monitor"));
+    QCOMPARE(read.value().profile, std::string("skin2026"));
+    QVERIFY(read.value().command.find("--lights white,white+blue,white+green") !=
+            std::string::npos);
+    window_->training().save(file("no/such/folder/weights.json"));
+    waitUntilIdle();
+    QVERIFY(window_->training().dialog().isVisible());
+  }
+
+  void trainingIsCancelledAtOnce_data() {
+    QTest::addColumn<QString>("how");
+    for (const char* how : {"button", "escape", "close", "strip", "another document"}) {
+      QTest::newRow(how) << how;
+    }
+  }
+  void trainingIsCancelledAtOnce() {
+    QFETCH(QString, how);
+    window_->training().setPlan(usualTraining);
+    QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+    TrainingDialog& dialog = window_->training().dialog();
+    QVERIFY(dialog.isVisible());
+    QTRY_VERIFY(dialog.findChild<QProgressBar*>()->value() > 0);
+    QElapsedTimer timer;
+    timer.start();
+    if (how == "button") {
+      QTest::mouseClick(buttonNamed(dialog, "Cancel"), Qt::LeftButton);
+    } else if (how == "escape") {
+      QTest::keyClick(&dialog, Qt::Key_Escape);
+    } else if (how == "close") {
+      dialog.close();
+    } else if (how == "strip") {
+      Q_EMIT window_->progress().cancelWanted();
+    } else {
+      window_->openSample();
+      QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), kPatienceMs);
+    }
+    QVERIFY(!dialog.isVisible() && !dialog.isTraining());
+    QVERIFY(!window_->training().isTrained());
+    waitUntilIdle();
+    QVERIFY(window_->document().isFitted());
+  }
+
+  void closingDuringTrainingIsSafe() {
+    window_->training().setPlan(usualTraining);
+    window_->training().train();
+    QTest::qWait(200);
+    window_->close();
+    QVERIFY(!window_->training().dialog().isVisible());
+    window_.reset();
+  }
+
+  void everyControlHasAName() {
+    for (const QWidget* owner : {static_cast<QWidget*>(window_.get()),
+                                 static_cast<QWidget*>(&window_->training().dialog())}) {
+      for (const QComboBox* box : owner->findChildren<QComboBox*>()) {
+        QVERIFY(!box->accessibleName().isEmpty());
+      }
+      for (const QAbstractButton* button : owner->findChildren<QAbstractButton*>()) {
+        // Those of Qt's own inside of scroll areas and menus are never seen.
+        if (button->objectName().startsWith("qt_")) continue;
+        QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(),
+                 button->metaObject()->className());
+      }
+    }
+  }
+
+  void shortcutsAreUnique() {
+    QStringList shortcuts;
+    for (const QAction* action : window_->findChildren<QAction*>()) {
+      for (const QKeySequence& keys : action->shortcuts())
+        shortcuts << keys.toString();
+    }
+    QVERIFY(shortcuts.contains("Ctrl+T"));
+    QCOMPARE(shortcuts.removeDuplicates(), 0);
+  }
+
+ private:
+  QString file(const std::string& name) const {
+    return QString::fromStdString((folder_ / name).string());
+  }
+  void waitUntilIdle() {
+    QTest::qWait(10);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
+  }
+  QImage pictureOf() const { return window_->viewport().grab().toImage(); }
+  QRect viewOf() const {
+    const Rect rect = window_->viewport().visibleRect();
+    return {rect.x0, rect.y0, rect.width(), rect.height()};
+  }
+  QComboBox* boxNamed(const QString& name) const {
+    for (QComboBox* box : window_->findChildren<QComboBox*>()) {
+      if (box->accessibleName() == name) return box;
+    }
+    return nullptr;
+  }
+  QPushButton* buttonNamed(const QWidget& owner, const QString& text) const {
+    for (QPushButton* button : owner.findChildren<QPushButton*>()) {
+      if (button->text() == text) return button;
+    }
+    return nullptr;
+  }
+  NeutralSlider* sliderNamed(const QString& name) const {
+    for (NeutralSlider* slider : window_->findChildren<NeutralSlider*>()) {
+      if (slider->accessibleName() == name) return slider;
+    }
+    return nullptr;
+  }
+
+  test::ScratchFolder folder_;
+  QString foreign_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+CUTIS_TEST(FitWindowTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "fit_window_test.moc"
