@@ -5,8 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "src/app/network_errors.h"
+#include "src/app/network_training.h"
 #include "src/cli/command.h"
-#include "src/cli/network_training.h"
 #include "src/cli/option_values.h"
 #include "src/cli/output_check.h"
 #include "src/cli/text_table.h"
@@ -127,8 +128,9 @@ Result<Rig> rigOf(const TrainCommand& command) {
 
 std::string tableOf(const TrainedNetworks& trained, const NetworkErrors& errors) {
   TextTable figures({"", ""});
-  figures.add({"components", std::to_string(trained.components)});
-  figures.add({"truncation error, 300-1000 nm", shortScientific(trained.truncationError)});
+  figures.add({"components", std::to_string(trained.components())});
+  figures.add({"truncation error, 300-1000 nm",
+               shortScientific(trained.basis.truncationError(trained.components()))});
   figures.add(
       {"weights of SpectraNN", std::to_string(trained.file.spectra.network.parameterCount())});
   figures.add(
@@ -148,7 +150,8 @@ Status runTrainCommand(const TrainCommand& command, Session& session) {
   CUTIS_TRY(rig, rigOf(command));
   CUTIS_TRY(training, trainingOf(command, rig.noise));
   CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
-  CUTIS_TRY(trained, trainNetworks(*model, rig, training, session.context));
+  NetworkTrainingState state;
+  CUTIS_TRY(trained, trainNetworks(*model, rig, training, state, session.context));
   CUTIS_TRY(errors, measureNetworks(*model, rig, trained.file, session.context));
   CUTIS_CHECK(writeNetworks(command.output, trained.file));
   session.clearProgress();

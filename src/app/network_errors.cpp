@@ -1,18 +1,14 @@
-#include "src/cli/network_training.h"
+#include "src/app/network_errors.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
 #include "core/fit/population.h"
 #include "core/neural/network_pipeline.h"
-#include "core/neural/spectra_basis.h"
-#include "src/cli/text_table.h"
 
 namespace cutis {
 namespace {
@@ -25,14 +21,6 @@ constexpr int kJudges = 4096;
 constexpr Index kJudgesPerPiece = 64;
 constexpr std::uint64_t kJudgeSeed = 2024;  // none that people to train on are drawn with
 constexpr std::uint64_t kNoiseSeed = 2025;
-
-// What the training itself reports says nothing of the error, so it is told epoch by epoch.
-EpochCallback epochReport(const JobContext& context, const std::string& stage, int epochs) {
-  return [context, stage, epochs](const TrainingEpoch& epoch) {
-    context.child(0.0, 1.0, stage + ", error " + shortScientific(epoch.heldOutError))
-        .progress.report(static_cast<double>(epoch.epoch) / epochs);
-  };
-}
 
 JobContext silent(const JobContext& context) {
   return {context.stop, {}, context.notice};
@@ -125,42 +113,7 @@ MatrixXf channelsOf(const Rig& rig, const Judges& judges, const NoiseModel& nois
   return channels.cast<float>();
 }
 
-// Networks as others will read them, so that what is measured is what is used.
-Result<NetworkFile> asRead(const NetworkFile& file) {
-  return parseNetworks(networkText(file), "the trained networks");
-}
-
 }  // namespace
-
-Result<TrainedNetworks> trainNetworks(const SkinModel& model, const Rig& rig,
-                                      const NetworkTraining& training, const JobContext& context) {
-  const auto start = std::chrono::steady_clock::now();
-  CUTIS_TRY(basis, computeSpectraBasis(model, context.child(0.0, 0.2, "principal components"),
-                                       training.tableStep));
-  NetworkFile file = {
-      rig.name, model.profile().name, training.command, training.spectra, training.chromophores, {},
-      {}};
-  TrainingState spectraState;
-  CUTIS_TRY(spectra,
-            trainSpectraNetwork(model, basis, training.spectra, spectraState, silent(context),
-                                epochReport(context.child(0.2, 0.55), "SpectraNN",
-                                            training.spectra.trainer.epochs)));
-  TrainingState chromophoreState;
-  CUTIS_TRY(chromophores,
-            trainChromophoreNetwork(model, networkChannels(rig), spectra, training.chromophores,
-                                    chromophoreState, silent(context),
-                                    epochReport(context.child(0.55, 1.0), "ChromNN",
-                                                training.chromophores.trainer.epochs)));
-  TrainedNetworks trained;
-  trained.components = static_cast<int>(spectra.components.cols());
-  trained.truncationError = basis.truncationError(trained.components);
-  file.spectra = std::move(spectra);
-  file.chromophores = std::move(chromophores);
-  CUTIS_TRY(read, asRead(file));
-  trained.file = std::move(read);
-  trained.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return trained;
-}
 
 Result<NetworkErrors> measureNetworks(const SkinModel& model, const Rig& rig,
                                       const NetworkFile& file, const JobContext& context) {

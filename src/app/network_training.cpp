@@ -1,0 +1,67 @@
+#include "src/app/network_training.h"
+
+#include <chrono>
+#include <utility>
+
+#include "src/files/csv.h"
+
+namespace cutis {
+namespace {
+
+// Parts of the whole: components, SpectraNN, ChromNN.
+constexpr double kComponentsEnd = 0.2;
+constexpr double kSpectraEnd = 0.55;
+
+// Stops, but does not report: the fractions of the trainer say nothing of the error, so progress is
+// told epoch by epoch.
+JobContext silent(const JobContext& context) {
+  return {context.stop, {}, context.notice};
+}
+
+EpochCallback epochReport(NetworkKind kind, int epochs, const JobContext& context,
+                          const NetworkObserver& observer) {
+  return [=](const TrainingEpoch& epoch) {
+    const std::string stage =
+        std::string(networkName(kind)) + ", error " + formatNumber(epoch.heldOutError, 3);
+    context.child(0.0, 1.0, stage).progress.report(static_cast<double>(epoch.epoch) / epochs);
+    if (observer) observer({kind, epochs, epoch});
+  };
+}
+
+// Networks as others will read them, so that what is measured is what is used.
+Result<NetworkFile> asRead(const NetworkFile& file) {
+  return parseNetworks(networkText(file), "the trained networks");
+}
+
+}  // namespace
+
+const char* networkName(NetworkKind kind) {
+  return kind == NetworkKind::spectra ? "SpectraNN" : "ChromNN";
+}
+
+Result<TrainedNetworks> trainNetworks(const SkinModel& model, const Rig& rig,
+                                      const NetworkTraining& training, NetworkTrainingState& state,
+                                      const JobContext& context, const NetworkObserver& observer) {
+  const auto start = std::chrono::steady_clock::now();
+  CUTIS_TRY(basis,
+            computeSpectraBasis(model, context.child(0.0, kComponentsEnd, "principal components"),
+                                training.tableStep));
+  CUTIS_TRY(spectra,
+            trainSpectraNetwork(model, basis, training.spectra, state.spectra, silent(context),
+                                epochReport(NetworkKind::spectra, training.spectra.trainer.epochs,
+                                            context.child(kComponentsEnd, kSpectraEnd), observer)));
+  CUTIS_TRY(chromophores,
+            trainChromophoreNetwork(
+                model, networkChannels(rig), spectra, training.chromophores, state.chromophores,
+                silent(context),
+                epochReport(NetworkKind::chromophores, training.chromophores.trainer.epochs,
+                            context.child(kSpectraEnd, 1.0), observer)));
+  CUTIS_TRY(file, asRead({rig.name, model.profile().name, training.command, training.spectra,
+                          training.chromophores, std::move(spectra), std::move(chromophores)}));
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return TrainedNetworks{std::move(file), std::move(basis), state.spectra.curve,
+                         state.chromophores.curve, seconds};
+}
+
+}  // namespace cutis

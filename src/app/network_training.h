@@ -1,0 +1,64 @@
+#pragma once
+
+// Training of both networks for a rig and a profile: principal components, SpectraNN, ChromNN.
+//
+// Thread-safe; uses all cores it may. Deterministic by options (on one instruction set), also where
+// it was cancelled and taken up again. Cancelled if asked to stop.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "core/neural/spectra_basis.h"
+#include "core/rig/rig.h"
+#include "core/skin/skin_model.h"
+#include "src/files/network_file.h"
+
+namespace cutis {
+
+struct NetworkTraining {
+  SpectraNetworkOptions spectra;
+  ChromophoreNetworkOptions chromophores;
+  int tableStep = 1;    // every how many entries of the table the components are taken from, ≥ 1
+  std::string command;  // to be recorded
+};
+
+enum class NetworkKind { spectra, chromophores };
+// "SpectraNN" or "ChromNN".
+const char* networkName(NetworkKind kind);
+
+struct NetworkEpoch {
+  NetworkKind network = NetworkKind::spectra;
+  int epochs = 1;  // that this network is trained for, at most
+  TrainingEpoch epoch;
+};
+// Called after each epoch, from the thread that trains; first all of SpectraNN, then all of
+// ChromNN. The state given to trainNetworks() is then that after this epoch and may be copied.
+using NetworkObserver = std::function<void(const NetworkEpoch&)>;
+
+// Fresh, or what a cancelled training with the same arguments left behind.
+struct NetworkTrainingState {
+  TrainingState spectra;
+  TrainingState chromophores;
+};
+
+struct TrainedNetworks {
+  NetworkFile file;                         // as it reads back
+  SpectraBasis basis;                       // of which the networks use the first few components
+  std::vector<TrainingEpoch> spectraCurve;  // errors: those of the two trainings, core/neural
+  std::vector<TrainingEpoch> chromophoreCurve;
+  double seconds = 0.0;  // of this call
+
+  int components() const { return static_cast<int>(file.spectra.components.cols()); }
+};
+
+// Errors: those of trainSpectraNetwork() and trainChromophoreNetwork(). Cost with the defaults:
+// under a minute on two cores.
+Result<TrainedNetworks> trainNetworks(const SkinModel& model, const Rig& rig,
+                                      const NetworkTraining& training, NetworkTrainingState& state,
+                                      const JobContext& context,
+                                      const NetworkObserver& observer = {});
+
+}  // namespace cutis
