@@ -6,6 +6,7 @@
 #include "core/fit/network_solver.h"
 #include "core/fit/refined_solver.h"
 #include "core/fit/search_solver.h"
+#include "core/skin/profile_signature.h"
 #include "src/files/layer_table_cache.h"
 #include "src/files/network_file.h"
 #include "src/files/profile_file.h"
@@ -18,12 +19,14 @@ namespace {
 // Simulated faces that decide what the first stage of the three-stage search holds fixed.
 constexpr int kTrainingPopulation = 1000;
 
+// The one for all channels of the rig.
 Result<ChromophoreNetwork> builtInNetwork(const Profile& profile, const Rig& rig) {
-  const std::string wantedProfile = fingerprint(profile);
-  const std::string wantedChannels = fingerprint(networkChannels(rig));
+  const Signature wantedProfile = signatureOf(profile);
+  const Signature wantedChannels = signatureOf(networkChannels(rig));
   for (const std::string& name : builtInNetworkNames()) {
     CUTIS_TRY(file, builtInNetworks(name));
-    if (file.chromophores.profile == wantedProfile && file.chromophores.channels == wantedChannels)
+    if (alike(file.chromophores.profile, wantedProfile) &&
+        alike(file.chromophores.channels, wantedChannels))
       return std::move(file.chromophores);
   }
   return inputError("--method", "no network is built in for rig '" + rig.name +
@@ -38,11 +41,10 @@ Result<std::shared_ptr<const PixelSolver>> networkSolver(const SkinModel& model,
   if (network == nullptr) {
     CUTIS_TRY(found, builtInNetwork(model.profile(), rig));
     network = std::make_shared<const ChromophoreNetwork>(std::move(found));
-  } else {
-    CUTIS_CHECK(checkNetworkMatches(*network, model.profile(), rig, "--weights"));
   }
-  return std::shared_ptr<const PixelSolver>(
-      makeNetworkSolver(*network, std::make_shared<const ResponseModel>(model, responseRows(rig))));
+  CUTIS_TRY(channels, matchNetwork(*network, model.profile(), rig, "--weights"));
+  return std::shared_ptr<const PixelSolver>(makeNetworkSolver(
+      *network, channels, std::make_shared<const ResponseModel>(model, channels.rows)));
 }
 
 }  // namespace
