@@ -7,20 +7,28 @@
 
 #include "core/neural/network_pipeline.h"
 #include "core/skin/pixel_state.h"
+#include "core/skin/profile_signature.h"
 
 namespace cutis {
 namespace {
 
+void addScaled(const float* channel, float share, std::size_t count, float* sum) {
+  if (share == 0.0f) return;
+  for (std::size_t i = 0; i < count; ++i)
+    sum[i] += share * channel[i];
+}
+
 class NetworkSolver final : public PixelSolver {
  public:
-  NetworkSolver(const ChromophoreNetwork& network, std::shared_ptr<const ResponseModel> channels)
-      : PixelSolver(std::move(channels)), encoder_(NetworkPipeline::encoder(network)) {}
+  NetworkSolver(const ChromophoreNetwork& network, const Eigen::MatrixXd& combination,
+                std::shared_ptr<const ResponseModel> photographed)
+      : PixelSolver(std::move(photographed)),
+        encoder_(NetworkPipeline::encoder(network)),
+        combination_(combination.cast<float>()) {}
 
   void solve(const PixelBatch& batch, const SolveReport& report) const override {
-    std::vector<const float*> inputs;
-    for (int k = 0; k < channelCount(); ++k) {
-      inputs.push_back(batch.channels + static_cast<std::size_t>(k) * batch.stride);
-    }
+    std::vector<float> combined;
+    const std::vector<const float*> inputs = inputsOf(batch, combined);
     std::vector<float*> outputs;
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       outputs.push_back(batch.parameters + k * batch.stride);
@@ -44,7 +52,29 @@ class NetworkSolver final : public PixelSolver {
   const char* stage() const override { return "network"; }
 
  private:
+  static const float* channelOf(const PixelBatch& batch, Eigen::Index channel) {
+    return batch.channels + static_cast<std::size_t>(channel) * batch.stride;
+  }
+
+  std::vector<const float*> inputsOf(const PixelBatch& batch, std::vector<float>& combined) const {
+    std::vector<const float*> inputs;
+    if (combination_.size() == 0) {
+      for (int k = 0; k < channelCount(); ++k)
+        inputs.push_back(channelOf(batch, k));
+      return inputs;
+    }
+    combined.assign(static_cast<std::size_t>(combination_.rows()) * batch.count, 0.0f);
+    for (Eigen::Index input = 0; input < combination_.rows(); ++input) {
+      float* plane = combined.data() + static_cast<std::size_t>(input) * batch.count;
+      for (Eigen::Index k = 0; k < combination_.cols(); ++k)
+        addScaled(channelOf(batch, k), combination_(input, k), batch.count, plane);
+      inputs.push_back(plane);
+    }
+    return inputs;
+  }
+
   NetworkPipeline encoder_;
+  Eigen::MatrixXf combination_;  // of the channels to the inputs; empty: they are the inputs
 };
 
 }  // namespace
@@ -57,10 +87,11 @@ std::string trainingCommand(const Profile& profile, const Rig& rig) {
          profile.name + " -o WEIGHTS.json";
 }
 
-Status checkNetworkMatches(const ChromophoreNetwork& network, const Profile& profile,
-                           const Rig& rig, const std::string& place) {
-  const bool profileMatches = network.profile == fingerprint(profile);
-  if (profileMatches && network.channels == fingerprint(networkChannels(rig))) return {};
+Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Profile& profile,
+                                     const Rig& rig, const std::string& place) {
+  const bool profileMatches = alike(network.profile, signatureOf(profile));
+  auto channels = channelsOf(network.channels, rig);
+  if (profileMatches && channels) return std::move(*channels);
   return inputError(
       place,
       "the network was trained for " +
@@ -70,8 +101,9 @@ Status checkNetworkMatches(const ChromophoreNetwork& network, const Profile& pro
 }
 
 std::unique_ptr<const PixelSolver> makeNetworkSolver(
-    const ChromophoreNetwork& network, std::shared_ptr<const ResponseModel> channels) {
-  return std::make_unique<NetworkSolver>(network, std::move(channels));
+    const ChromophoreNetwork& network, const NetworkChannels& channels,
+    std::shared_ptr<const ResponseModel> photographed) {
+  return std::make_unique<NetworkSolver>(network, channels.combination, std::move(photographed));
 }
 
 }  // namespace cutis

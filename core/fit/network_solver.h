@@ -13,18 +13,21 @@
 
 namespace cutis {
 
-// Whether the network was trained for these channels of this profile. `place` stands in front of
-// the error, which tells the command that trains one.
-Status checkNetworkMatches(const ChromophoreNetwork& network, const Profile& profile,
-                           const Rig& rig, const std::string& place);
+// Whether the network was trained for channels of this rig, all or the paper's five, and for this
+// profile; rounding apart. Returns the channels it takes. `place` stands in front of the error,
+// which tells the command that trains one.
+Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Profile& profile,
+                                     const Rig& rig, const std::string& place);
 
 // "cutis-cli train --rig … -o WEIGHTS.json", for messages.
 std::string trainingCommand(const Profile& profile, const Rig& rig);
 
-// channels: the rows of the rig. Preconditions: the network passed validate() and matches the rig.
+// channels: those that matchNetwork() found; photographed: their rows. Precondition: the network
+// passed validate().
 // Thread-safe. A pixel for which the network's numbers overflow is noConvergence with zeros. Cost:
 // some 50 ns per pixel and core with the built-in sizes.
-std::unique_ptr<const PixelSolver> makeNetworkSolver(const ChromophoreNetwork& network,
-                                                     std::shared_ptr<const ResponseModel> channels);
+std::unique_ptr<const PixelSolver> makeNetworkSolver(
+    const ChromophoreNetwork& network, const NetworkChannels& channels,
+    std::shared_ptr<const ResponseModel> photographed);
 
 }  // namespace cutis

@@ -5,10 +5,10 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/base/content_hash.h"
 #include "core/base/random.h"
 #include "core/neural/spectra_batch.h"
 #include "core/neural/training_options.h"
+#include "core/skin/profile_signature.h"
 
 namespace cutis {
 namespace {
@@ -60,8 +60,8 @@ Result<Photographs> takePhotographs(const SkinModel& model, const NetworkChannel
         for (Index i = 0; i < block.rows(); ++i) {
           Eigen::RowVectorXd seen = exact.row(i);
           photograph(options.noise, options.people.seed, first + static_cast<std::size_t>(i), seen);
-          if (channels.combination.size() > 0) seen = seen * channels.combination.transpose();
-          result.logInputs.row(at + i) = seen.array().max(kSmallestNetworkChannel).log();
+          result.logInputs.row(at + i) =
+              channels.inputs(seen).array().max(kSmallestNetworkChannel).log();
         }
       }));
   return result;
@@ -102,13 +102,21 @@ DenseNetwork freshNetwork(int inputs, const ChromophoreNetworkOptions& options) 
   return randomNetwork(sizes, options.activation, Activation::sigmoid, options.trainer.seed);
 }
 
+// Whether the last layers are those that do not change. A best network that is not there yet has
+// none.
+bool endsIn(const DenseNetwork& network, const DenseNetwork& end) {
+  return network.layers.empty() ||
+         (network.layers.size() >= end.layers.size() &&
+          std::equal(end.layers.rbegin(), end.layers.rend(), network.layers.rbegin()));
+}
+
 Status checkArguments(const SkinModel& model, const NetworkChannels& channels,
                       const SpectraNetwork& spectra, const ChromophoreNetworkOptions& options) {
   const std::string place = "ChromNN";
   CUTIS_CHECK(
       validateTraining(options.hidden, options.activation, options.people, options.trainer, place));
   CUTIS_CHECK(validate(spectra, place));
-  if (spectra.profile != fingerprint(model.profile())) {
+  if (!alike(spectra.profile, signatureOf(model.profile()))) {
     return inputError(place, "the SpectraNN was trained for another profile; train it anew");
   }
   if (channels.inputCount() < 1 || channels.inputCount() > kMaximumUnits) {
@@ -117,6 +125,9 @@ Status checkArguments(const SkinModel& model, const NetworkChannels& channels,
   }
   if (channels.combination.size() > 0 && channels.combination.cols() != channels.rows.rows()) {
     return inputError(place, "the combination of channels does not fit the channels");
+  }
+  if (channels.names.size() != static_cast<std::size_t>(channels.inputCount())) {
+    return inputError(place, "there is not one name for each input");
   }
   return {};
 }
@@ -130,21 +141,10 @@ Status validate(const ChromophoreNetwork& network, const std::string& place) {
       network.network.layers.back().activation != Activation::sigmoid) {
     return inputError(place, "the network does not end in a sigmoid for each of five parameters");
   }
-  return {};
-}
-
-NetworkChannels networkChannels(const Rig& rig) {
-  return {responseRows(rig), {}};
-}
-
-std::string fingerprint(const NetworkChannels& channels) {
-  ContentHash hash;
-  for (const Eigen::MatrixXd& matrix : {MatrixXd(channels.rows), channels.combination}) {
-    hash.add(static_cast<double>(matrix.rows())).add(static_cast<double>(matrix.cols()));
-    for (const double value : matrix.reshaped())
-      hash.add(value);
+  if (network.inputs.size() != static_cast<std::size_t>(network.network.inputs())) {
+    return inputError(place, "the network does not have as many inputs as it has channels");
   }
-  return hash.digest();
+  return {};
 }
 
 ChromophoreNetworkOptions paperChromophoreNetworkOptions() {
@@ -163,20 +163,25 @@ Result<ChromophoreNetwork> trainChromophoreNetwork(const SkinModel& model,
                                                    TrainingState& state, const JobContext& context,
                                                    const EpochCallback& onEpoch) {
   CUTIS_CHECK(checkArguments(model, channels, spectra, options));
+  const DenseNetwork judge = merged(spectra.network);  // stays as it is while ChromNN learns
   CUTIS_TRY(photographs,
             takePhotographs(model, channels, spectra, options, context.child(0.0, 0.1)));
   const DenseLayer white = whitening(photographs.logInputs);
   const TrainingSet set = makeSet(photographs, white);
   const std::size_t trained = options.hidden.size() + 1;
-  if (state.network.layers.empty()) {
-    state.network = joined(freshNetwork(channels.inputCount(), options), merged(spectra.network));
+  CUTIS_CHECK(
+      beginTraining(joined(freshNetwork(channels.inputCount(), options), judge), "ChromNN", state));
+  if (!endsIn(state.network, judge) || !endsIn(state.best, judge)) {
+    return inputError("ChromNN",
+                      "the state of training has another SpectraNN; start anew without it");
   }
   CUTIS_CHECK(
       trainNetwork(set, {0, trained}, options.trainer, state, context.child(0.1, 1.0), onEpoch));
 
   ChromophoreNetwork result;
   result.profile = spectra.profile;
-  result.channels = fingerprint(channels);
+  result.channels = signatureOf(channels);
+  result.inputs = channels.names;
   result.axes = model.profile().axes;
   DenseNetwork network;
   network.layers.push_back(white);

@@ -14,8 +14,8 @@
 
 #include <Eigen/Core>
 
+#include "core/neural/network_channels.h"
 #include "core/neural/spectra_network.h"
-#include "core/rig/rig.h"
 
 namespace cutis {
 
@@ -23,29 +23,15 @@ namespace cutis {
 inline constexpr double kSmallestNetworkChannel = 1e-4;
 
 struct ChromophoreNetwork {
-  std::string profile;   // fingerprint() of the profile
-  std::string channels;  // fingerprint() of the channels it was trained for
-  ParameterAxes axes;    // they define the outputs
-  DenseNetwork network;  // ln of each channel → networkCoordinate() of each parameter
+  Signature profile;                // of the profile
+  Signature channels;               // of the channels it was trained for
+  std::vector<std::string> inputs;  // their names, for people
+  ParameterAxes axes;               // they define the outputs
+  DenseNetwork network;             // ln of each channel → networkCoordinate() of each parameter
 };
 
-// Shapes, finite numbers, usable axes, a sigmoid at the end.
+// Shapes, a name for each input, finite numbers, usable axes, a sigmoid at the end.
 Status validate(const ChromophoreNetwork& network, const std::string& place);
-
-// What the network is to be given.
-struct NetworkChannels {
-  SpectrumRows rows;  // of the channels as they are photographed; each sums to 1
-  // Rows: inputs of the network; columns: photographed channels. Empty: they are the inputs. The
-  // paper's five are SearchChannels::fromRig of core/rig/narrowband.h.
-  Eigen::MatrixXd combination;
-
-  int inputCount() const {
-    return static_cast<int>(combination.size() > 0 ? combination.rows() : rows.rows());
-  }
-};
-
-NetworkChannels networkChannels(const Rig& rig);
-std::string fingerprint(const NetworkChannels& channels);
 
 struct ChromophoreNetworkOptions {
   std::vector<int> hidden = {32, 32};

@@ -95,6 +95,14 @@ Status validate(const DenseNetwork& network, const std::string& place) {
   return {};
 }
 
+bool sameShape(const DenseNetwork& a, const DenseNetwork& b) {
+  return std::equal(a.layers.begin(), a.layers.end(), b.layers.begin(), b.layers.end(),
+                    [](const DenseLayer& x, const DenseLayer& y) {
+                      return x.inputs == y.inputs && x.outputs == y.outputs &&
+                             x.activation == y.activation;
+                    });
+}
+
 DenseNetwork randomNetwork(const std::vector<int>& sizes, Activation hidden, Activation last,
                            std::uint64_t seed) {
   assert(sizes.size() >= 2);

@@ -51,6 +51,9 @@ struct DenseNetwork {
 // source in the error.
 Status validate(const DenseNetwork& network, const std::string& place);
 
+// Whether the layers of both have the same sizes and activations.
+bool sameShape(const DenseNetwork& a, const DenseNetwork& b);
+
 // Sizes from the inputs to the outputs, at least two. Weights normal with variance 2 / inputs (1/4
 // of it in the last layer), biases normal with deviation 0.1. Deterministic by seed.
 DenseNetwork randomNetwork(const std::vector<int>& sizes, Activation hidden, Activation last,

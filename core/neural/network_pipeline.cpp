@@ -65,7 +65,7 @@ NetworkPipeline NetworkPipeline::decoder(const SpectraNetwork& spectra, const Sp
 Result<NetworkPipeline> NetworkPipeline::encoderDecoder(const ChromophoreNetwork& chromophores,
                                                         const SpectraNetwork& spectra,
                                                         const SpectrumRows& rows) {
-  if (chromophores.profile != spectra.profile) {
+  if (!alike(chromophores.profile, spectra.profile)) {
     return inputError("",
                       "ChromNN and SpectraNN were trained for different profiles; train one of "
                       "them anew");

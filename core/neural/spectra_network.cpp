@@ -5,6 +5,7 @@
 
 #include "core/neural/spectra_batch.h"
 #include "core/neural/training_options.h"
+#include "core/skin/profile_signature.h"
 
 namespace cutis {
 namespace {
@@ -59,6 +60,13 @@ Result<TrainingSet> makeSet(const SkinModel& model, const SpectraBasis& basis, i
   return set;
 }
 
+DenseNetwork freshNetwork(int components, const SpectraNetworkOptions& options) {
+  std::vector<int> sizes = {kParameterCount};
+  sizes.insert(sizes.end(), options.hidden.begin(), options.hidden.end());
+  sizes.push_back(components);
+  return randomNetwork(sizes, options.activation, Activation::linear, options.trainer.seed);
+}
+
 // With the scalings around it.
 DenseNetwork complete(const DenseNetwork& trained, const Eigen::VectorXd& units) {
   const Eigen::MatrixXd scale =
@@ -109,17 +117,11 @@ Result<SpectraNetwork> trainSpectraNetwork(const SkinModel& model, const Spectra
                                        std::to_string(kMaximumComponents));
   }
   CUTIS_TRY(set, makeSet(model, basis, components, options, context.child(0.0, 0.1)));
-  if (state.network.layers.empty()) {
-    std::vector<int> sizes = {kParameterCount};
-    sizes.insert(sizes.end(), options.hidden.begin(), options.hidden.end());
-    sizes.push_back(components);
-    state.network =
-        randomNetwork(sizes, options.activation, Activation::linear, options.trainer.seed);
-  }
+  CUTIS_CHECK(beginTraining(freshNetwork(components, options), "SpectraNN", state));
   CUTIS_CHECK(trainNetwork(set, {}, options.trainer, state, context.child(0.1, 1.0), onEpoch));
 
   SpectraNetwork result;
-  result.profile = fingerprint(model.profile());
+  result.profile = signatureOf(model.profile());
   result.axes = model.profile().axes;
   result.mean = basis.mean;
   result.components = basis.components.leftCols(components);

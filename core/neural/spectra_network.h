@@ -17,12 +17,13 @@
 #include "core/neural/network_coordinates.h"
 #include "core/neural/spectra_basis.h"
 #include "core/neural/trainer.h"
+#include "core/spectra/signature.h"
 
 namespace cutis {
 
 struct SpectraNetwork {
-  std::string profile;  // fingerprint() of the profile it was trained for
-  ParameterAxes axes;   // of that profile: they define the inputs
+  Signature profile;   // of the profile it was trained for
+  ParameterAxes axes;  // of that profile: they define the inputs
   Spectrum mean = Spectrum::Zero();
   Eigen::MatrixXd components;  // kSampleCount × outputs
   DenseNetwork network;  // networkCoordinate() of each parameter → weights of the components

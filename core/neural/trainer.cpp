@@ -182,18 +182,29 @@ Status checkSet(const TrainingSet& set, const DenseNetwork& network) {
   return {};
 }
 
+// Whether such a training could have left the state behind after a whole epoch.
+bool couldBe(const TrainingState& state, std::size_t weights, std::size_t stepsPerEpoch,
+             int epochs) {
+  const std::size_t done = state.curve.size();
+  return state.firstMoment.size() == weights && state.secondMoment.size() == weights &&
+         done <= static_cast<std::size_t>(epochs) &&
+         state.steps == static_cast<std::int64_t>(done * stepsPerEpoch) && state.bestEpoch >= 1 &&
+         state.bestEpoch <= static_cast<int>(done) && sameShape(state.best, state.network);
+}
+
 // Fills in what a fresh state does not have.
-Status prepareState(std::size_t weights, TrainingState& state) {
+Status prepareState(std::size_t weights, std::size_t stepsPerEpoch, int epochs,
+                    TrainingState& state) {
   if (state.steps == 0 && state.curve.empty()) {
     state.firstMoment.assign(weights, 0.0f);
     state.secondMoment.assign(weights, 0.0f);
     state.best = state.network;
     return {};
   }
-  if (state.firstMoment.size() != weights || state.secondMoment.size() != weights) {
-    return inputError("", "the state of training does not fit the network");
-  }
-  return {};
+  if (couldBe(state, weights, stepsPerEpoch, epochs))
+    return validate(state.best, "the state of training");
+  return inputError(
+      "", "the state of training does not fit the network and its options; start anew without it");
 }
 
 bool outOfPatience(const TrainerOptions& options, const TrainingState& state) {
@@ -229,13 +240,14 @@ Status trainNetwork(const TrainingSet& set, TrainedLayers trained, const Trainer
   CUTIS_CHECK(validate(options, "training"));
   CUTIS_CHECK(checkSet(set, state.network));
   const BackPropagation propagation(state.network, set.targetWeights, trained);
-  CUTIS_CHECK(prepareState(propagation.gradientSize(), state));
   Trainer trainer(set, trained, options, context);
   if (trainer.stepsPerEpoch() == 0) {
     return inputError("", "there are " + std::to_string(trainer.trainedCount()) +
                               " samples to train on, fewer than a mini-batch of " +
                               std::to_string(options.batch));
   }
+  CUTIS_CHECK(
+      prepareState(propagation.gradientSize(), trainer.stepsPerEpoch(), options.epochs, state));
   while (static_cast<int>(state.curve.size()) < options.epochs && !outOfPatience(options, state)) {
     CUTIS_CHECK(trainer.runEpoch(state));
     if (onEpoch) onEpoch(state.curve.back());

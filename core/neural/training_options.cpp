@@ -31,6 +31,12 @@ Status validateTraining(const std::vector<int>& hidden, Activation activation,
   return validate(trainer, place);
 }
 
+Status beginTraining(const DenseNetwork& fresh, const std::string& place, TrainingState& state) {
+  if (state.network.layers.empty()) state.network = fresh;
+  if (sameShape(state.network, fresh)) return {};
+  return inputError(place, "the state of training is of another network; start anew without it");
+}
+
 Status validateAxes(const ParameterAxes& axes, const std::string& place) {
   for (const ParameterAxis& axis : axes) {
     const bool usable = std::isfinite(axis.maximum) && axis.maximum > 0.0 && axis.samples >= 2 &&

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the options of both networks have in common, checked in one place.
+// What the trainings of both networks have in common, checked in one place.
 
 #include <string>
 #include <vector>
@@ -15,6 +15,9 @@ namespace cutis {
 Status validateTraining(const std::vector<int>& hidden, Activation activation,
                         const TrainingPeople& people, const TrainerOptions& trainer,
                         const std::string& place);
+
+// A fresh state gets the network to start from; one that went on must have a network of its shape.
+Status beginTraining(const DenseNetwork& fresh, const std::string& place, TrainingState& state);
 
 // Exponents of 1 to 3, positive maxima, at least two samples.
 Status validateAxes(const ParameterAxes& axes, const std::string& place);

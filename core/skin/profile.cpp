@@ -1,10 +1,7 @@
 #include "core/skin/profile.h"
 
 #include <cmath>
-#include <cstddef>
-#include <string_view>
 
-#include "core/base/content_hash.h"
 #include "core/skin/absorption.h"
 
 namespace cutis {
@@ -45,7 +42,8 @@ Status validateParameters(const Profile& profile, const std::string& place) {
   }
   CUTIS_CHECK(validate(profile.prior, place, "prior."));
   double entries = 1.0;
-  for (const ParameterAxis& axis : profile.axes) entries *= axis.samples;
+  for (const ParameterAxis& axis : profile.axes)
+    entries *= axis.samples;
   return require(entries <= kMaximumTableEntries, place, "the product of all parameters.*.samples",
                  "at most 10 million, the entries of the largest table of skin");
 }
@@ -90,8 +88,8 @@ Status validateLaw(const PowerLaw& law, const std::string& place, const std::str
 Status validateTissue(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(require(isFraction(profile.epidermalWater), place, "epidermis.water_fraction",
                       "between 0 and 1"));
-  CUTIS_CHECK(require(isFraction(profile.dermalWater), place, "dermis.water_fraction",
-                      "between 0 and 1"));
+  CUTIS_CHECK(
+      require(isFraction(profile.dermalWater), place, "dermis.water_fraction", "between 0 and 1"));
   CUTIS_CHECK(validateLaw(profile.eumelanin, place, "absorption.eumelanin"));
   CUTIS_CHECK(validateLaw(profile.pheomelanin, place, "absorption.pheomelanin"));
   CUTIS_CHECK(validateTail(profile.baseline.tail, place, "absorption.baseline"));
@@ -114,7 +112,8 @@ Status validateAbsorption(const Profile& profile, const std::string& place) {
   for (int corner = 0; corner < 1 << kParameterCount; ++corner) {
     ParameterVector parameters;
     for (int k = 0; k < kParameterCount; ++k) {
-      parameters[k] = (corner >> k & 1) != 0 ? profile.axes[static_cast<std::size_t>(k)].maximum : 0.0;
+      parameters[k] =
+          (corner >> k & 1) != 0 ? profile.axes[static_cast<std::size_t>(k)].maximum : 0.0;
     }
     for (int i = 0; i < kSampleCount; ++i) {
       const std::string where = " over the whole parameter range, and is not at " +
@@ -166,90 +165,12 @@ Status validateLayers(const Profile& profile, const std::string& place) {
                      "epidermis needs adding-doubling");
 }
 
-void addLaw(ContentHash& hash, const PowerLaw& law) { hash.add(law.coefficient).add(law.exponent); }
-
-void addSpectrum(ContentHash& hash, const Spectrum& spectrum) {
-  hash.add(std::span<const double>(spectrum.data(), static_cast<std::size_t>(spectrum.size())));
-}
-
-// What the paper's model does not have counts only where it is used, so that tables of the paper's
-// model keep the name they were kept under.
-void addUnless(double usual, ContentHash& hash, std::string_view name, double value) {
-  if (value != usual) hash.add(name).add(value);
-}
-
-void addScattering(ContentHash& hash, const ReducedScattering& law) {
-  addLaw(hash, law.mie);
-  addLaw(hash, law.rayleigh);
-  hash.add(law.mie.referenceNm).add(law.rayleigh.referenceNm);
-}
-
-void addBeyondThePaper(ContentHash& hash, const Profile& profile) {
-  const ReducedScattering& scattering = profile.epidermalScatteringLaw;
-  addUnless(1.0, hash, "eumelanin at", profile.eumelanin.referenceNm);
-  addUnless(1.0, hash, "pheomelanin at", profile.pheomelanin.referenceNm);
-  addUnless(1.0, hash, "mie at", scattering.mie.referenceNm);
-  addUnless(1.0, hash, "rayleigh at", scattering.rayleigh.referenceNm);
-  addUnless(profile.dermalBlood.oxygenation, hash, "epidermal oxygenation",
-            profile.epidermalBlood.oxygenation);
-  addUnless(0.0, hash, "epidermal vessels", profile.epidermalBlood.vesselRadiusMm);
-  addUnless(0.0, hash, "dermal vessels", profile.dermalBlood.vesselRadiusMm);
-  addUnless(0.0, hash, "blood smoothing", profile.bloodSmoothingNm);
-  addUnless(1.0, hash, "carotene scale", profile.caroteneInSkin.scale);
-  addUnless(0.0, hash, "carotene shift", profile.caroteneInSkin.shiftNm);
-  addUnless(0.0, hash, "carotene smoothing", profile.caroteneInSkin.smoothingNm);
-  addUnless(1.0, hash, "dermal baseline", profile.dermalBaselineFactor);
-  const ExponentialTail& tail = profile.epidermalUltraviolet;
-  if (tail.amplitude != 0.0) {
-    hash.add("ultraviolet").add(tail.amplitude).add(tail.originNm).add(tail.decayNm);
-  }
-  const GaussianBand& fat = profile.fat;
-  if (profile.dermalFat != 0.0) {
-    hash.add("fat").add(profile.dermalFat);
-    hash.add(fat.peak).add(fat.centreNm).add(fat.deviationNm);
-  }
-  if (profile.dermalScatteringLaw) {
-    hash.add("dermal scattering");
-    addScattering(hash, *profile.dermalScatteringLaw);
-  }
-}
-
 }  // namespace
 
 Status validate(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(validateParameters(profile, place));
   CUTIS_CHECK(validateAbsorption(profile, place));
   return validateLayers(profile, place);
-}
-
-std::string fingerprint(const Profile& profile) {
-  ContentHash hash;
-  for (const ParameterAxis& axis : profile.axes) {
-    hash.add(axis.maximum).add(double(axis.samples)).add(double(axis.exponent));
-  }
-  for (const PowerLaw& law :
-       {profile.eumelanin, profile.pheomelanin, profile.epidermalScatteringLaw.mie,
-        profile.epidermalScatteringLaw.rayleigh}) {
-    addLaw(hash, law);
-  }
-  hash.add(profile.baseline.constant)
-      .add(profile.baseline.tail.amplitude)
-      .add(profile.baseline.tail.originNm)
-      .add(profile.baseline.tail.decayNm);
-  for (const Spectrum* spectrum : {&profile.oxyhaemoglobin, &profile.deoxyhaemoglobin,
-                                   &profile.water, &profile.carotene}) {
-    addSpectrum(hash, *spectrum);
-  }
-  const bool hasRatio = !profile.dermalScatteringLaw;
-  hash.add(profile.dermalBlood.oxygenation)
-      .add(profile.epidermalWater)
-      .add(profile.dermalWater)
-      .add(hasRatio ? profile.dermalScatteringRatio : 0.0)
-      .add(profile.epidermalThicknessMm)
-      .add(profile.refractiveIndex)
-      .add(double(static_cast<int>(profile.layerOptics)));
-  addBeyondThePaper(hash, profile);
-  return hash.digest();
 }
 
 }  // namespace cutis

@@ -1,5 +1,6 @@
 #include "src/app/engine.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/content_hash.h"
@@ -7,6 +8,7 @@
 #include "core/fit/network_solver.h"
 #include "core/fit/refined_solver.h"
 #include "core/fit/search_solver.h"
+#include "core/skin/profile_signature.h"
 #include "src/files/layer_table_cache.h"
 #include "src/files/network_file.h"
 #include "src/files/profile_file.h"
@@ -18,11 +20,6 @@ namespace {
 
 // Simulated faces that decide what the first stage of the three-stage search holds fixed.
 constexpr int kTrainingPopulation = 1000;
-
-// What a network is for, as a key.
-std::string purposeOf(const std::string& profile, const std::string& channels) {
-  return profile + channels;
-}
 
 Error noNetwork(const Profile& profile, const Rig& rig) {
   return inputError("--method", "no network is built in for rig '" + rig.name +
@@ -94,29 +91,36 @@ Result<std::shared_ptr<const PixelSolver>> Engine::networkSolver(
     CUTIS_TRY(found, network(model.profile(), rig));
     if (found == nullptr) return noNetwork(model.profile(), rig);
     given = found;
-  } else {
-    CUTIS_CHECK(checkNetworkMatches(*given, model.profile(), rig, "--weights"));
   }
-  return std::shared_ptr<const PixelSolver>(
-      makeNetworkSolver(*given, std::make_shared<const ResponseModel>(model, responseRows(rig))));
+  CUTIS_TRY(channels, matchNetwork(*given, model.profile(), rig, "--weights"));
+  return std::shared_ptr<const PixelSolver>(makeNetworkSolver(
+      *given, channels, std::make_shared<const ResponseModel>(model, channels.rows)));
 }
 
 Result<std::shared_ptr<const ChromophoreNetwork>> Engine::network(const Profile& profile,
                                                                   const Rig& rig) const {
-  const std::string wanted = purposeOf(fingerprint(profile), fingerprint(networkChannels(rig)));
-  if (auto added = find(networks_, wanted)) return added;
+  const Signature wantedProfile = signatureOf(profile);
+  const Signature wantedChannels = signatureOf(networkChannels(rig));
+  const auto isWanted = [&](const ChromophoreNetwork& network) {
+    return alike(network.profile, wantedProfile) && alike(network.channels, wantedChannels);
+  };
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto added = std::find_if(networks_.rbegin(), networks_.rend(),
+                                    [&](const auto& network) { return isWanted(*network); });
+    if (added != networks_.rend()) return *added;
+  }
   for (const std::string& name : builtInNetworkNames()) {
     CUTIS_TRY(file, builtInNetworks(name));
-    if (purposeOf(file.chromophores.profile, file.chromophores.channels) != wanted) continue;
-    return std::make_shared<const ChromophoreNetwork>(std::move(file.chromophores));
+    if (isWanted(file.chromophores))
+      return std::make_shared<const ChromophoreNetwork>(std::move(file.chromophores));
   }
   return std::shared_ptr<const ChromophoreNetwork>();
 }
 
 void Engine::addNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
-  const std::string purpose = purposeOf(network->profile, network->channels);
   const std::scoped_lock lock(mutex_);
-  networks_[purpose] = std::move(network);
+  networks_.push_back(std::move(network));
 }
 
 Result<std::shared_ptr<const ResponseModel>> Engine::picture(

@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
@@ -80,7 +81,7 @@ class Engine {
   Cache<SkinModel> models_;
   Cache<TableSearch> searches_;
   Cache<ResponseModel> pictures_;
-  Cache<ChromophoreNetwork> networks_;  // those added, by what they are for
+  std::vector<std::shared_ptr<const ChromophoreNetwork>> networks_;  // those added
 };
 
 }  // namespace cutis

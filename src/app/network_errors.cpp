@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/random.h"
+#include "core/fit/network_solver.h"
 #include "core/fit/population.h"
 #include "core/neural/network_pipeline.h"
 
@@ -100,9 +101,9 @@ Result<double> errorOfParameters(const SkinModel& model, const MatrixXf& paramet
   return errorOf(visible, judges);
 }
 
-MatrixXf channelsOf(const Rig& rig, const Judges& judges, const NoiseModel& noise) {
-  const SpectrumRows rows = responseRows(rig);
-  MatrixXd channels = judges.spectra * rows.matrix().transpose();
+// What the network is given, from photographs with noise.
+MatrixXf inputsOf(const NetworkChannels& taken, const Judges& judges, const NoiseModel& noise) {
+  MatrixXd channels = judges.spectra * taken.rows.matrix().transpose();
   for (Index i = 0; i < channels.rows(); ++i) {
     Random random(kNoiseSeed, static_cast<std::uint64_t>(i));
     for (Index k = 0; k < channels.cols(); ++k) {
@@ -110,20 +111,21 @@ MatrixXf channelsOf(const Rig& rig, const Judges& judges, const NoiseModel& nois
       channels(i, k) = std::max(0.0, channels(i, k) + deviation * random.normal());
     }
   }
-  return channels.cast<float>();
+  return taken.inputs(channels).cast<float>();
 }
 
 }  // namespace
 
 Result<NetworkErrors> measureNetworks(const SkinModel& model, const Rig& rig,
                                       const NetworkFile& file, const JobContext& context) {
+  CUTIS_TRY(channels, matchNetwork(file.chromophores, model.profile(), rig, "the networks"));
   CUTIS_TRY(judges, drawJudges(model, silent(context)));
   const SpectrumRows rows = visibleRows();
   const auto encoder = NetworkPipeline::encoder(file.chromophores);
   const auto decoder = NetworkPipeline::decoder(file.spectra, rows);
   CUTIS_TRY(both, NetworkPipeline::encoderDecoder(file.chromophores, file.spectra, rows));
-  const MatrixXf clean = channelsOf(rig, judges, {0.0, 0.0});
-  const MatrixXf noisy = channelsOf(rig, judges, rig.noise);
+  const MatrixXf clean = inputsOf(channels, judges, {0.0, 0.0});
+  const MatrixXf noisy = inputsOf(channels, judges, rig.noise);
   CUTIS_TRY(encoded, errorOfParameters(model, run(encoder, clean, true), judges, silent(context)));
   CUTIS_TRY(encodedNoisy,
             errorOfParameters(model, run(encoder, noisy, true), judges, silent(context)));

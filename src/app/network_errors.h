@@ -22,7 +22,7 @@ struct NetworkErrors {
   double bothNoisy = 0.0;
 };
 
-// Precondition: the networks are of this rig and profile. Fails where they are of two profiles.
+// Precondition: the networks are of this profile. Fails where they are of another rig.
 Result<NetworkErrors> measureNetworks(const SkinModel& model, const Rig& rig,
                                       const NetworkFile& file, const JobContext& context);
 

@@ -3,7 +3,9 @@
 #include <chrono>
 #include <utility>
 
+#include "core/base/content_hash.h"
 #include "src/files/csv.h"
+#include "src/files/network_parts.h"
 
 namespace cutis {
 namespace {
@@ -28,6 +30,11 @@ EpochCallback epochReport(NetworkKind kind, int epochs, const JobContext& contex
   };
 }
 
+Result<NetworkChannels> channelsFor(const NetworkTraining& training, const Rig& rig) {
+  if (training.paperChannels) return paperNetworkChannels(rig, "");
+  return networkChannels(rig);
+}
+
 // Networks as others will read them, so that what is measured is what is used.
 Result<NetworkFile> asRead(const NetworkFile& file) {
   return parseNetworks(networkText(file), "the trained networks");
@@ -39,10 +46,22 @@ const char* networkName(NetworkKind kind) {
   return kind == NetworkKind::spectra ? "SpectraNN" : "ChromNN";
 }
 
+Result<std::string> trainingIdentity(const SkinModel& model, const Rig& rig,
+                                     const NetworkTraining& training) {
+  CUTIS_TRY(channels, channelsFor(training, rig));
+  ContentHash hash;
+  hash.add(optionsText(training.spectra)).add(optionsText(training.chromophores));
+  hash.add(static_cast<double>(training.tableStep)).add(fingerprint(model.profile()));
+  for (const float value : signatureOf(channels))
+    hash.add(static_cast<double>(value));
+  return hash.digest();
+}
+
 Result<TrainedNetworks> trainNetworks(const SkinModel& model, const Rig& rig,
                                       const NetworkTraining& training, NetworkTrainingState& state,
                                       const JobContext& context, const NetworkObserver& observer) {
   const auto start = std::chrono::steady_clock::now();
+  CUTIS_TRY(channels, channelsFor(training, rig));
   CUTIS_TRY(basis,
             computeSpectraBasis(model, context.child(0.0, kComponentsEnd, "principal components"),
                                 training.tableStep));
@@ -50,12 +69,12 @@ Result<TrainedNetworks> trainNetworks(const SkinModel& model, const Rig& rig,
             trainSpectraNetwork(model, basis, training.spectra, state.spectra, silent(context),
                                 epochReport(NetworkKind::spectra, training.spectra.trainer.epochs,
                                             context.child(kComponentsEnd, kSpectraEnd), observer)));
-  CUTIS_TRY(chromophores,
-            trainChromophoreNetwork(
-                model, networkChannels(rig), spectra, training.chromophores, state.chromophores,
-                silent(context),
-                epochReport(NetworkKind::chromophores, training.chromophores.trainer.epochs,
-                            context.child(kSpectraEnd, 1.0), observer)));
+  CUTIS_TRY(
+      chromophores,
+      trainChromophoreNetwork(
+          model, channels, spectra, training.chromophores, state.chromophores, silent(context),
+          epochReport(NetworkKind::chromophores, training.chromophores.trainer.epochs,
+                      context.child(kSpectraEnd, 1.0), observer)));
   CUTIS_TRY(file, asRead({rig.name, model.profile().name, training.command, training.spectra,
                           training.chromophores, std::move(spectra), std::move(chromophores)}));
   const double seconds =

@@ -15,12 +15,14 @@
 #include "core/rig/rig.h"
 #include "core/skin/skin_model.h"
 #include "src/files/network_file.h"
+#include "src/files/training_file.h"
 
 namespace cutis {
 
 struct NetworkTraining {
   SpectraNetworkOptions spectra;
   ChromophoreNetworkOptions chromophores;
+  bool paperChannels = false;  // r, g, b, sb, sg instead of all channels of the rig
   int tableStep = 1;    // every how many entries of the table the components are taken from, ≥ 1
   std::string command;  // to be recorded
 };
@@ -38,12 +40,6 @@ struct NetworkEpoch {
 // ChromNN. The state given to trainNetworks() is then that after this epoch and may be copied.
 using NetworkObserver = std::function<void(const NetworkEpoch&)>;
 
-// Fresh, or what a cancelled training with the same arguments left behind.
-struct NetworkTrainingState {
-  TrainingState spectra;
-  TrainingState chromophores;
-};
-
 struct TrainedNetworks {
   NetworkFile file;                         // as it reads back
   SpectraBasis basis;                       // of which the networks use the first few components
@@ -54,7 +50,14 @@ struct TrainedNetworks {
   int components() const { return static_cast<int>(file.spectra.components.cols()); }
 };
 
-// Errors: those of trainSpectraNetwork() and trainChromophoreNetwork(). Cost with the defaults:
+// Of everything that changes the result, for TrainingFile. Fails as trainNetworks() does where the
+// rig lacks channels.
+Result<std::string> trainingIdentity(const SkinModel& model, const Rig& rig,
+                                     const NetworkTraining& training);
+
+// A fresh state starts anew; one that a cancelled call with the same arguments left behind goes on.
+// Errors: those of trainSpectraNetwork() and trainChromophoreNetwork(); a rig without the paper's
+// channels where they are asked for. Cost with the defaults:
 // under a minute on two cores.
 Result<TrainedNetworks> trainNetworks(const SkinModel& model, const Rig& rig,
                                       const NetworkTraining& training, NetworkTrainingState& state,

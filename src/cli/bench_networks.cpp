@@ -7,7 +7,9 @@
 
 #include "core/base/parallel.h"
 #include "core/neural/aligned_floats.h"
+#include "core/neural/network_channels.h"
 #include "core/neural/network_pipeline.h"
+#include "core/skin/profile_signature.h"
 #include "src/app/network_training.h"
 #include "src/files/network_file.h"
 
@@ -24,20 +26,32 @@ constexpr std::size_t kPiece = 128;
 constexpr std::size_t kBatch = 4096;
 constexpr int kRuns = 5;
 
-// Networks, and the rig whose channels they take.
+// Networks, and which channels of which rig they take.
 struct RiggedNetworks {
   Rig rig;
+  NetworkChannels channels;
   NetworkFile file;
 };
 
-Result<std::optional<NetworkFile>> builtInFor(const Profile& profile, const Rig& rig) {
+Result<std::optional<NetworkFile>> builtInFor(const Profile& profile,
+                                              const NetworkChannels& channels) {
+  const Signature wantedProfile = signatureOf(profile), wantedChannels = signatureOf(channels);
   for (const std::string& name : builtInNetworkNames()) {
     CUTIS_TRY(file, builtInNetworks(name));
-    if (file.chromophores.profile == fingerprint(profile) &&
-        file.chromophores.channels == fingerprint(networkChannels(rig)))
+    if (alike(file.chromophores.profile, wantedProfile) &&
+        alike(file.chromophores.channels, wantedChannels))
       return std::optional(std::move(file));
   }
   return std::optional<NetworkFile>();
+}
+
+// What the networks take of photographed channels, both [plane][count].
+std::vector<float> inputsOf(const NetworkChannels& channels, const std::vector<float>& photographed,
+                            std::size_t count) {
+  const Eigen::Map<const Eigen::MatrixXf> planes(photographed.data(), static_cast<Index>(count),
+                                                 channels.rows.rows());
+  const Eigen::MatrixXf inputs = channels.inputs(planes.cast<double>()).cast<float>();
+  return {inputs.data(), inputs.data() + inputs.size()};
 }
 
 std::vector<const float*> planesOf(const float* rows, std::size_t count, std::size_t stride) {
@@ -136,9 +150,10 @@ Status measureNoises(const BenchSubject& subject, const RiggedNetworks& networks
   std::vector<float> parameters(kParameterCount * pixels.count());
   std::vector<float> spectra(kSampleCount * pixels.count());
   for (const double noise : kBenchNoises) {
-    const auto channels = pixels.photograph(noise, kNoiseSeed);
-    CUTIS_CHECK(runPipeline(both, pixels.count(), channels.data(), parameters.data(),
-                            spectra.data(), context));
+    const auto inputs =
+        inputsOf(networks.channels, pixels.photograph(noise, kNoiseSeed), pixels.count());
+    CUTIS_CHECK(runPipeline(both, pixels.count(), inputs.data(), parameters.data(), spectra.data(),
+                            context));
     CUTIS_TRY(encoded, subject.meter->measure(pixels.people(), parameters, context));
     CUTIS_TRY(decoded, errorsOfSpectra(*subject.model, pixels.people(), spectra, context));
     figures.errors.push_back({noise, summarise(encoded).visibleMse, decoded.visible});
@@ -148,31 +163,33 @@ Status measureNoises(const BenchSubject& subject, const RiggedNetworks& networks
 
 // Seconds for all pixels, the fastest of several runs.
 Result<double> secondsOf(const NetworkPipeline& pipeline, std::size_t count,
-                         const AlignedFloats& channels, AlignedFloats& parameters,
+                         const AlignedFloats& inputs, AlignedFloats& parameters,
                          AlignedFloats* outputs, const JobContext& context) {
   using Clock = std::chrono::steady_clock;
   double fastest = std::numeric_limits<double>::infinity();
   for (int run = 0; run < kRuns; ++run) {
     const auto start = Clock::now();
-    CUTIS_CHECK(runPipeline(pipeline, count, channels.data(), parameters.data(),
+    CUTIS_CHECK(runPipeline(pipeline, count, inputs.data(), parameters.data(),
                             outputs != nullptr ? outputs->data() : nullptr, context));
     fastest = std::min(fastest, std::chrono::duration<double>(Clock::now() - start).count());
   }
   return fastest;
 }
 
-// A picture's channels, people of the protocol over and over: networks take equally long for all.
-Result<AlignedFloats> pictureChannels(const BenchSubject& subject, const Rig& rig,
-                                      std::size_t count, const JobContext& context) {
-  CUTIS_TRY(pixels,
-            ProtocolPixels::create(*subject.model, rig, benchPeople(subject.pixels), context));
-  const auto known = pixels.photograph(kUsualNoise, kNoiseSeed);
-  AlignedFloats channels(pixels.channelCount() * count);
-  for (std::size_t k = 0; k < pixels.channelCount(); ++k) {
+// A picture's inputs, people of the protocol over and over: networks take equally long for all.
+Result<AlignedFloats> pictureInputs(const BenchSubject& subject, const RiggedNetworks& networks,
+                                    std::size_t count, const JobContext& context) {
+  CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, networks.rig,
+                                           benchPeople(subject.pixels), context));
+  const auto known =
+      inputsOf(networks.channels, pixels.photograph(kUsualNoise, kNoiseSeed), pixels.count());
+  const std::size_t planes = known.size() / pixels.count();
+  AlignedFloats inputs(planes * count);
+  for (std::size_t k = 0; k < planes; ++k) {
     for (std::size_t i = 0; i < count; ++i)
-      channels[k * count + i] = known[k * pixels.count() + i % pixels.count()];
+      inputs[k * count + i] = known[k * pixels.count() + i % pixels.count()];
   }
-  return channels;
+  return inputs;
 }
 
 Status timePicture(const BenchSubject& subject, const RiggedNetworks& networks, int size,
@@ -182,11 +199,11 @@ Status timePicture(const BenchSubject& subject, const RiggedNetworks& networks, 
   CUTIS_TRY(both, NetworkPipeline::encoderDecoder(networks.file.chromophores, networks.file.spectra,
                                                   rows));
   const std::size_t count = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-  CUTIS_TRY(channels, pictureChannels(subject, networks.rig, count, context));
+  CUTIS_TRY(inputs, pictureInputs(subject, networks, count, context));
   AlignedFloats parameters(kParameterCount * count);
   AlignedFloats outputs(static_cast<std::size_t>(rows.rows()) * count);
-  CUTIS_TRY(encode, secondsOf(encoder, count, channels, parameters, nullptr, context));
-  CUTIS_TRY(encodeAndDecode, secondsOf(both, count, channels, parameters, &outputs, context));
+  CUTIS_TRY(encode, secondsOf(encoder, count, inputs, parameters, nullptr, context));
+  CUTIS_TRY(encodeAndDecode, secondsOf(both, count, inputs, parameters, &outputs, context));
   figures.size = size;
   figures.encodeSeconds = encode;
   figures.bothSeconds = encodeAndDecode;
@@ -217,25 +234,32 @@ Result<NetworkFile> train(const BenchSubject& subject, const JobContext& context
   return std::move(trained.file);
 }
 
+// Adds those that are built in for these channels, if there are any.
+Status addBuiltIn(const BenchSubject& subject, const Rig& rig, const NetworkChannels& channels,
+                  std::vector<RiggedNetworks>& all) {
+  CUTIS_TRY(known, builtInFor(subject.model->profile(), channels));
+  if (known) all.push_back({rig, channels, std::move(*known)});
+  return {};
+}
+
 }  // namespace
 
 Status runNetworks(const BenchSubject& subject, const NetworkSeries& series, BenchSolvers& solvers,
                    const JobContext& context, BenchFigures& figures) {
   const JobContext silent = {context.stop, {}, {}};
   std::vector<RiggedNetworks> all;
-  CUTIS_TRY(known, builtInFor(subject.model->profile(), subject.rig));
+  CUTIS_CHECK(addBuiltIn(subject, subject.rig, networkChannels(subject.rig), all));
   if (series.training) {
     CUTIS_TRY(trained, train(subject, context.child(0.0, 0.7), figures));
-    if (!known) known = std::move(trained);
+    if (all.empty()) all.push_back({subject.rig, networkChannels(subject.rig), std::move(trained)});
   }
-  if (known) {
-    solvers.setNetwork(std::make_shared<const ChromophoreNetwork>(known->chromophores));
-    all.push_back({subject.rig, std::move(*known)});
-  }
+  if (all.empty()) return {};
+  solvers.setNetwork(std::make_shared<const ChromophoreNetwork>(all.front().file.chromophores));
+  if (const auto paper = paperNetworkChannels(subject.rig, "--rig"))
+    CUTIS_CHECK(addBuiltIn(subject, subject.rig, paper.value(), all));
   if (subject.rig.lights.size() > 1 && subject.rig.lightIndex(kWhite) >= 0) {
     CUTIS_TRY(white, withLights(subject.rig, {kWhite}, "--rig"));
-    CUTIS_TRY(ofWhite, builtInFor(subject.model->profile(), white));
-    if (ofWhite) all.push_back({white, std::move(*ofWhite)});
+    CUTIS_CHECK(addBuiltIn(subject, white, networkChannels(white), all));
   }
   for (const RiggedNetworks& networks : all) {
     CUTIS_TRY(measured, measureAll(subject, networks, series.size, silent));

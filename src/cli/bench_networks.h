@@ -12,9 +12,9 @@ struct NetworkSeries {
   bool training = false;  // train networks for the rig of the benchmark, about 15 s on two cores
 };
 
-// The networks that are built in for the subject's profile, of all lights of its rig and of white
-// light alone; where there are none for all lights, those that were trained. The solvers get the
-// ones of all lights.
+// The networks that are built in for the subject's profile: of all channels of its rig, of the
+// paper's five, of white light alone; where there are none of all channels, those that were
+// trained. The solvers get the ones of all channels.
 Status runNetworks(const BenchSubject& subject, const NetworkSeries& series, BenchSolvers& solvers,
                    const JobContext& context, BenchFigures& figures);
 

@@ -98,9 +98,10 @@ void addFitArguments(CLI::App& command, FitArguments& arguments) {
       ->type_name("NAMES");
   command
       .add_option("--weights", arguments.weights,
-                  "Networks that train has written, for the method network (default: those built "
-                  "in for the rig and the profile)")
-      ->type_name("FILE");
+                  "Networks for the method network: a file that train has written, or a built-in "
+                  "name, such as monitor-5, which takes the paper's five channels (default: those "
+                  "built in for all channels of the rig)")
+      ->type_name("NAME|FILE");
   addSpecularOptions(command, "photographs", arguments.measurement);
 }
 
@@ -182,7 +183,7 @@ Status completeFitOptions(const FitRequest& request, const Profile& profile, Fit
     options.prior = prior;
   }
   if (!request.weightsFile.empty()) {
-    CUTIS_TRY(networks, readNetworks(request.weightsFile));
+    CUTIS_TRY(networks, loadNetworks(request.weightsFile, profile.name, "--weights"));
     options.network = std::make_shared<const ChromophoreNetwork>(std::move(networks.chromophores));
   }
   return {};

@@ -2,12 +2,15 @@
 
 #include "src/files/network_file.h"
 
-#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include "src/files/json_file.h"
+#include "src/files/network_parts.h"
 #include "src/files/resources.h"
+#include "src/files/suggestion.h"
 #include "src/files/text_file.h"
 
 namespace cutis {
@@ -19,70 +22,9 @@ constexpr char kSuffix[] = ".json";
 // The largest networks allowed have some 25 MB.
 constexpr std::size_t kMostBytes = std::size_t{32} << 20;
 
-Result<int> wholeNumber(const JsonValue& object, const std::string& key, int least, int most) {
-  CUTIS_TRY(value, object.integer(key));
-  if (value < least || value > most) {
-    return object.error(
-        key, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
-  }
-  return value;
-}
-
 Result<std::uint64_t> seedOf(const JsonValue& object) {
   CUTIS_TRY(seed, wholeNumber(object, "seed", 0, std::numeric_limits<int>::max()));
   return static_cast<std::uint64_t>(seed);
-}
-
-// The largest float, as its shortest text reads in double precision.
-constexpr double kMostFloat = 3.4028235e38;
-
-Result<std::vector<float>> asFloats(const JsonValue& list, std::size_t count) {
-  CUTIS_TRY(numbers, list.asNumbers(count));
-  constexpr double kMost = std::numeric_limits<float>::max();
-  std::vector<float> values;
-  values.reserve(count);
-  for (const double number : numbers) {
-    if (std::abs(number) > kMostFloat) return list.error("a list of numbers that fit a float");
-    values.push_back(static_cast<float>(std::clamp(number, -kMost, kMost)));
-  }
-  return values;
-}
-
-Result<std::vector<float>> floats(const JsonValue& object, const std::string& key,
-                                  std::size_t count) {
-  CUTIS_TRY(list, object.list(key));
-  return asFloats(list, count);
-}
-
-Result<Activation> activationOf(const JsonValue& object) {
-  CUTIS_TRY(name, object.text("activation"));
-  if (const auto activation = activationByName(name)) return *activation;
-  return object.error("activation", "linear, relu, sigmoid or squareplus");
-}
-
-Result<DenseLayer> parseLayer(const JsonValue& object) {
-  if (!object.isObject()) return object.error("an object");
-  CUTIS_CHECK(object.allowOnly({"inputs", "outputs", "activation", "weights", "bias"}));
-  CUTIS_TRY(inputs, wholeNumber(object, "inputs", 1, kMaximumUnits));
-  CUTIS_TRY(outputs, wholeNumber(object, "outputs", 1, kMaximumUnits));
-  CUTIS_TRY(activation, activationOf(object));
-  CUTIS_TRY(weights, floats(object, "weights",
-                            static_cast<std::size_t>(inputs) * static_cast<std::size_t>(outputs)));
-  CUTIS_TRY(bias, floats(object, "bias", static_cast<std::size_t>(outputs)));
-  return DenseLayer{inputs, outputs, activation, std::move(weights), std::move(bias)};
-}
-
-Result<DenseNetwork> parseLayers(const JsonValue& object) {
-  CUTIS_TRY(layers, object.array("layers"));
-  if (layers.empty() || layers.size() > std::size_t{kMaximumLayers}) {
-    return object.error("layers", "a list of 1 to " + std::to_string(kMaximumLayers) + " layers");
-  }
-  DenseNetwork network;
-  for (const JsonValue& element : layers) {
-    CUTIS_TRY(layer, parseLayer(element));
-    network.layers.push_back(std::move(layer));
-  }
-  return network;
 }
 
 Result<ParameterAxes> parseAxes(const JsonValue& object) {
@@ -192,13 +134,28 @@ Result<Eigen::MatrixXd> parseComponents(const JsonValue& object) {
   return components;
 }
 
+Result<Signature> parseSignature(const JsonValue& object, const std::string& key) {
+  CUTIS_TRY(elements, object.array(key));
+  return floats(object, key, elements.size());
+}
+
+Result<std::vector<std::string>> parseInputs(const JsonValue& object) {
+  CUTIS_TRY(elements, object.array("inputs"));
+  std::vector<std::string> names;
+  for (const JsonValue& element : elements) {
+    CUTIS_TRY(name, element.asText());
+    names.push_back(name);
+  }
+  return names;
+}
+
 Result<SpectraNetwork> parseSpectra(const JsonValue& object) {
   SpectraNetwork network;
-  CUTIS_TRY(profile, object.text("profile"));
+  CUTIS_TRY(profile, parseSignature(object, "profile"));
   CUTIS_TRY(axes, parseAxes(object));
   CUTIS_TRY(mean, floats(object, "mean", kSampleCount));
   CUTIS_TRY(components, parseComponents(object));
-  CUTIS_TRY(layers, parseLayers(object));
+  CUTIS_TRY(layers, parseLayers(object, "layers"));
   network.profile = profile;
   network.axes = axes;
   network.mean = Eigen::Map<const Eigen::ArrayXf>(mean.data(), kSampleCount).cast<double>();
@@ -210,11 +167,13 @@ Result<SpectraNetwork> parseSpectra(const JsonValue& object) {
 
 Result<ChromophoreNetwork> parseChromophores(const JsonValue& object) {
   ChromophoreNetwork network;
-  CUTIS_TRY(profile, object.text("profile"));
-  CUTIS_TRY(channels, object.text("channels"));
+  CUTIS_TRY(profile, parseSignature(object, "profile"));
+  CUTIS_TRY(inputs, parseInputs(object));
+  CUTIS_TRY(channels, parseSignature(object, "channels"));
   CUTIS_TRY(axes, parseAxes(object));
-  CUTIS_TRY(layers, parseLayers(object));
+  CUTIS_TRY(layers, parseLayers(object, "layers"));
   network.profile = profile;
+  network.inputs = inputs;
   network.channels = channels;
   network.axes = axes;
   network.network = std::move(layers);
@@ -235,12 +194,13 @@ Status parseBoth(const JsonValue& root, NetworkFile& file) {
   CUTIS_CHECK(parseSpectraOptions(spectra, file.spectraOptions));
   CUTIS_TRY(spectraNetwork, parseSpectra(spectra));
   CUTIS_TRY(chromophores, root.object("chrom_nn"));
-  CUTIS_CHECK(chromophores.allowOnly({"trained", "profile", "channels", "axes", "layers"}));
+  CUTIS_CHECK(
+      chromophores.allowOnly({"trained", "profile", "inputs", "channels", "axes", "layers"}));
   CUTIS_CHECK(parseChromophoreOptions(chromophores, file.chromophoreOptions));
   CUTIS_TRY(chromophoreNetwork, parseChromophores(chromophores));
   file.spectra = std::move(spectraNetwork);
   file.chromophores = std::move(chromophoreNetwork);
-  if (file.spectra.profile == file.chromophores.profile &&
+  if (alike(file.spectra.profile, file.chromophores.profile) &&
       sameAxes(file.spectra.axes, file.chromophores.axes)) {
     return {};
   }
@@ -279,6 +239,25 @@ Result<NetworkFile> builtInNetworks(const std::string& name) {
   const auto text = resource(std::string(kFolder) + "/" + name + kSuffix);
   if (!text) return inputError(name, "no networks of this name are built in");
   return parseNetworks(*text, "built-in networks " + name);
+}
+
+Result<NetworkFile> loadNetworks(const std::string& nameOrPath, const std::string& profile,
+                                 const std::string& place) {
+  const std::string suffix = "_" + profile;
+  std::vector<std::string> known;
+  for (std::string name : builtInNetworkNames()) {
+    if (name == nameOrPath || name == nameOrPath + suffix) return builtInNetworks(name);
+    if (name.ends_with(suffix)) known.push_back(name.substr(0, name.size() - suffix.size()));
+  }
+  std::error_code ignored;
+  if (nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".json") ||
+      std::filesystem::exists(nameOrPath, ignored)) {
+    return readNetworks(nameOrPath);
+  }
+  const std::string way =
+      known.empty() ? "none are built in for it" : suggestName(nameOrPath, known);
+  return inputError(place, "unknown networks '" + nameOrPath + "' of profile '" + profile + "'; " +
+                               way + ", or name a file that train has written");
 }
 
 }  // namespace cutis

@@ -36,7 +36,8 @@ std::shared_ptr<const ResponseModel> monitorChannels() {
 
 double meanError(double noise) {
   const auto people = drawPopulation(protocolPopulation(), kPeople, 77);
-  const auto solver = makeNetworkSolver(shippedNetwork(), monitorChannels());
+  const auto solver =
+      makeNetworkSolver(shippedNetwork(), networkChannels(test::monitorRig()), monitorChannels());
   const auto solutions = test::solve(*solver, test::simulate(test::monitorRig(), people, noise));
   double sum = 0.0;
   for (std::size_t i = 0; i < people.size(); ++i)
@@ -57,7 +58,8 @@ class NetworkSolverTest : public QObject {
 
   void eachPixelIsSolvedByItself() {
     const auto people = drawPopulation(protocolPopulation(), 37, 5);
-    const auto solver = makeNetworkSolver(shippedNetwork(), monitorChannels());
+    const auto solver =
+        makeNetworkSolver(shippedNetwork(), networkChannels(test::monitorRig()), monitorChannels());
     const auto pixels = test::simulate(test::monitorRig(), people);
     const auto together = test::solve(*solver, pixels);
     for (std::size_t i = 0; i < people.size(); ++i) {
@@ -70,7 +72,8 @@ class NetworkSolverTest : public QObject {
   }
 
   void strangeChannelsHaveAnAnswerInTheBox() {
-    const auto solver = makeNetworkSolver(shippedNetwork(), monitorChannels());
+    const auto solver =
+        makeNetworkSolver(shippedNetwork(), networkChannels(test::monitorRig()), monitorChannels());
     const auto solutions = test::solve(*solver, test::pixelsOf({std::vector<float>(9, 0.0f),
                                                                 std::vector<float>(9, 1e30f),
                                                                 {1, 0, 1, 0, 1, 0, 1, 0, 1}}));
@@ -84,6 +87,36 @@ class NetworkSolverTest : public QObject {
     }
   }
 
+  // The paper's five inputs, made of the nine channels.
+  void networksOfFiveChannelsFit() {
+    auto file = builtInNetworks("monitor-5_li2024");
+    EXPECT_OK(file);
+    const ChromophoreNetwork& network = file.value().chromophores;
+    const auto channels =
+        matchNetwork(network, test::li2024().profile(), test::monitorRig(), "--weights");
+    EXPECT_OK(channels);
+    QCOMPARE(channels.value().inputCount(), 5);
+    const auto solver = makeNetworkSolver(network, channels.value(), monitorChannels());
+    const auto people = drawPopulation(protocolPopulation(), 300, 78);
+    const auto pixels = test::simulate(test::monitorRig(), people);
+    const auto solutions = test::solve(*solver, pixels);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < people.size(); ++i)
+      sum += test::visibleError(people[i], solutions.at(i));
+    EXPECT_AT_MOST(sum / 300.0, 1e-5);
+    // By the plain way: inputs in double precision, the network likewise.
+    for (std::size_t i = 0; i < 20; ++i) {
+      const Eigen::MatrixXd seen = pixels.at(i).transpose();
+      const Eigen::MatrixXd logs = channels.value().inputs(seen).array().log();
+      const auto coordinates = evaluate<double>(network.network, logs.transpose());
+      for (std::size_t k = 0; k < network.axes.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        EXPECT_NEAR(networkCoordinate(network.axes[k], solutions.at(i)[row]), coordinates(row, 0),
+                    2e-5);
+      }
+    }
+  }
+
   void overflowIsToldAndNotWritten() {
     ChromophoreNetwork network = shippedNetwork();
     for (DenseLayer& layer : network.network.layers) {
@@ -91,7 +124,8 @@ class NetworkSolverTest : public QObject {
         layer.weights[i] = i % 2 == 0 ? 3e38f : -3e38f;
     }
     EXPECT_OK(validate(network, "network"));
-    const auto solver = makeNetworkSolver(network, monitorChannels());
+    const auto solver =
+        makeNetworkSolver(network, networkChannels(test::monitorRig()), monitorChannels());
     const auto solutions =
         test::solve(*solver, test::pixelsOf({{.1f, .2f, .3f, .1f, .2f, .3f, .1f, .2f, .3f}}));
     QVERIFY(solutions.at(0).isFinite().all());
@@ -99,13 +133,16 @@ class NetworkSolverTest : public QObject {
 
   void networksOfOthersAreRefused() {
     const Profile& profile = test::li2024().profile();
-    EXPECT_OK(checkNetworkMatches(shippedNetwork(), profile, test::monitorRig(), "--weights"));
-    const auto rig = checkNetworkMatches(shippedNetwork(), profile, test::albedoRig(), "w");
+    EXPECT_OK(matchNetwork(shippedNetwork(), profile, test::monitorRig(), "--weights"));
+    const auto rig = matchNetwork(shippedNetwork(), profile, test::albedoRig(), "w");
     EXPECT_ERROR(rig, "w: the network was trained for other lights or another camera");
     EXPECT_ERROR(rig, "cutis-cli train --rig albedo --lights ");
+    Rig blind = test::monitorRig();
+    blind.lights[1].mix.reset();
+    EXPECT_OK(matchNetwork(shippedNetwork(), profile, blind, "w"));
     Profile other = profile;
     other.epidermalThicknessMm *= 1.5;
-    EXPECT_ERROR(checkNetworkMatches(shippedNetwork(), other, test::monitorRig(), "w"),
+    EXPECT_ERROR(matchNetwork(shippedNetwork(), other, test::monitorRig(), "w"),
                  "another profile than 'li2024'; train one with cutis-cli train");
   }
 };

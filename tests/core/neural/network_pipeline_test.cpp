@@ -21,7 +21,7 @@ using Eigen::MatrixXf;
 // Random networks: the kernel has to agree with the plain one whatever they compute.
 ChromophoreNetwork randomChromophores(Activation hidden) {
   ChromophoreNetwork network;
-  network.profile = "p";
+  network.profile = {1.0f};
   network.axes = test::li2024().profile().axes;
   network.network = randomNetwork({9, 30, 21, 5}, hidden, Activation::sigmoid, 1);
   return network;
@@ -29,7 +29,7 @@ ChromophoreNetwork randomChromophores(Activation hidden) {
 
 SpectraNetwork randomSpectra(Activation hidden) {
   SpectraNetwork network;
-  network.profile = "p";
+  network.profile = {1.0f};
   network.axes = test::li2024().profile().axes;
   network.mean = test::sampledBasis().mean;
   network.components = test::sampledBasis().components.leftCols(7);
@@ -204,7 +204,7 @@ class NetworkPipelineTest : public QObject {
 
   void networksOfDifferentProfilesAreRefused() {
     ChromophoreNetwork chromophores = randomChromophores(Activation::relu);
-    chromophores.profile = "q";
+    chromophores.profile = {2.0f};
     EXPECT_ERROR(NetworkPipeline::encoderDecoder(chromophores, randomSpectra(Activation::relu),
                                                  monitorRows()),
                  "different profiles");

@@ -150,6 +150,33 @@ class TrainerTest : public QObject {
     EXPECT_ERROR(trainNetwork(surface(4000), {}, quickOptions(), state, {}),
                  "the state of training does not fit");
   }
+
+  // Each could come out of a file.
+  void statesOfOthersAreRefused() {
+    const TrainingSet set = surface(4000);
+    TrainerOptions options = quickOptions();
+    options.epochs = 2;
+    TrainingState done = freshState();
+    EXPECT_OK(trainNetwork(set, {}, options, done, {}));
+    const auto refused = [&](auto change) {
+      TrainingState state = done;
+      change(state);
+      const Status status = trainNetwork(set, {}, quickOptions(), state, {});
+      return status.failed() &&
+             status.error().text().find("state of training") != std::string::npos;
+    };
+    QVERIFY(!refused([](TrainingState&) {}));
+    QVERIFY(refused([](TrainingState& state) { state.steps += 1; }));
+    QVERIFY(refused([](TrainingState& state) { state.curve.pop_back(); }));
+    QVERIFY(refused([](TrainingState& state) { state.bestEpoch = 3; }));
+    QVERIFY(refused([](TrainingState& state) { state.secondMoment.push_back(0.0f); }));
+    QVERIFY(refused([](TrainingState& state) { state.best.layers.pop_back(); }));
+    QVERIFY(refused([](TrainingState& state) { state.best.layers[0].bias.clear(); }));
+    QVERIFY(refused([](TrainingState& state) {
+      state.curve.resize(16);
+      state.steps = 288;
+    }));
+  }
 };
 
 CUTIS_TEST(TrainerTest)

@@ -119,7 +119,7 @@ class TrainingTest : public QObject {
     EXPECT_ERROR(trainSpectraNetwork(test::li2024(), test::sampledBasis(), options, state, {}),
                  "an activation that bends");
     SpectraNetwork foreign = test::quickSpectraNetwork();
-    foreign.profile = "another";
+    foreign.profile = {1.0f};
     const NetworkChannels channels = networkChannels(test::monitorRig());
     EXPECT_ERROR(trainChromophoreNetwork(test::li2024(), channels, foreign, {}, state, {}),
                  "another profile");
@@ -128,7 +128,31 @@ class TrainingTest : public QObject {
     EXPECT_ERROR(
         trainChromophoreNetwork(test::li2024(), odd, test::quickSpectraNetwork(), {}, state, {}),
         "does not fit the channels");
-    QVERIFY(fingerprint(odd) != fingerprint(channels));
+    odd = channels;
+    odd.names.pop_back();
+    EXPECT_ERROR(
+        trainChromophoreNetwork(test::li2024(), odd, test::quickSpectraNetwork(), {}, state, {}),
+        "one name for each input");
+  }
+
+  void statesOfOtherNetworksAreRefused() {
+    SpectraNetworkOptions options = test::quickSpectraOptions();
+    TrainingState state;
+    state.network = randomNetwork({5, 7, 12}, Activation::relu, Activation::linear, 1);
+    EXPECT_ERROR(trainSpectraNetwork(test::li2024(), test::sampledBasis(), options, state, {}),
+                 "SpectraNN: the state of training is of another network");
+    // One whose SpectraNN is not the one that ChromNN is to be trained through.
+    const NetworkChannels channels = networkChannels(test::monitorRig());
+    ChromophoreNetworkOptions quick = test::quickChromophoreOptions();
+    quick.people.count = 2000;
+    quick.trainer.epochs = 1;
+    TrainingState whole;
+    EXPECT_OK(trainChromophoreNetwork(test::li2024(), channels, test::quickSpectraNetwork(), quick,
+                                      whole, {}));
+    whole.best.layers.back().bias[0] += 1.0f;
+    EXPECT_ERROR(trainChromophoreNetwork(test::li2024(), channels, test::quickSpectraNetwork(),
+                                         quick, whole, {}),
+                 "another SpectraNN");
   }
 
   void drawsAreReproducible() {

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "core/rig/rig.h"
+#include "core/skin/profile_signature.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"
@@ -24,12 +25,13 @@ NetworkFile smallNetworks() {
   file.spectraOptions.hidden = {4};
   file.chromophoreOptions.hidden = {3, 3};
   file.chromophoreOptions.noise = {0.0, 0.01};
-  file.spectra.profile = file.chromophores.profile = "a profile";
+  file.spectra.profile = file.chromophores.profile = {1.0f, 2.5f};
   file.spectra.axes = file.chromophores.axes = test::li2024().profile().axes;
   file.spectra.mean = Spectrum::Constant(0.25);
   file.spectra.components = Eigen::MatrixXd::Constant(kSampleCount, 2, 0.1f);
   file.spectra.network = randomNetwork({5, 4, 2}, Activation::squareplus, Activation::linear, 1);
-  file.chromophores.channels = "some channels";
+  file.chromophores.channels = {0.25f, 0.5f};
+  file.chromophores.inputs = {"a", "b", "c"};
   file.chromophores.network = randomNetwork({3, 3, 3, 5}, Activation::relu, Activation::sigmoid, 2);
   return file;
 }
@@ -61,7 +63,9 @@ class NetworkFileTest : public QObject {
     QVERIFY(read.value().spectra.network == file.spectra.network);
     QVERIFY(read.value().chromophores.network == file.chromophores.network);
     QVERIFY(read.value().spectra.components == file.spectra.components);
-    QCOMPARE(read.value().chromophores.channels, std::string("some channels"));
+    QVERIFY(read.value().chromophores.channels == file.chromophores.channels);
+    QVERIFY(read.value().chromophores.inputs == file.chromophores.inputs);
+    QVERIFY(read.value().spectra.profile == file.spectra.profile);
   }
 
   void extremeFloatsSurvive() {
@@ -77,17 +81,29 @@ class NetworkFileTest : public QObject {
   void builtInNetworksAreWhole() {
     const auto names = builtInNetworkNames();
     QVERIFY(!names.empty());
-    const std::string profile = fingerprint(test::li2024().profile());
-    const std::string channels = fingerprint(networkChannels(test::monitorRig()));
+    const Signature profile = signatureOf(test::li2024().profile());
+    const Signature channels = signatureOf(networkChannels(test::monitorRig()));
     bool found = false;
     for (const std::string& name : names) {
       const auto file = builtInNetworks(name);
       EXPECT_OK(file);
-      found = found || (file.value().chromophores.profile == profile &&
-                        file.value().chromophores.channels == channels);
+      found = found || (alike(file.value().chromophores.profile, profile) &&
+                        alike(file.value().chromophores.channels, channels));
     }
     QVERIFY(found);
     EXPECT_ERROR(builtInNetworks("nobody's"), "no networks of this name");
+  }
+
+  void builtInNetworksHaveNames() {
+    const auto five = loadNetworks("monitor-5", "li2024", "--weights");
+    EXPECT_OK(five);
+    QCOMPARE(five.value().profile, std::string("li2024"));
+    QVERIFY(five.value().chromophores.inputs ==
+            (std::vector<std::string>{"r", "g", "b", "sb", "sg"}));
+    EXPECT_OK(loadNetworks("monitor-5_skin2026", "li2024", "--weights"));
+    EXPECT_ERROR(loadNetworks("monitor5", "li2024", "--weights"), "did you mean 'monitor-5'");
+    EXPECT_ERROR(loadNetworks("monitor-5", "mine", "--weights"), "none are built in for it");
+    EXPECT_ERROR(loadNetworks("none.json", "li2024", "--weights"), "none.json");
   }
 
   void whatIsNoWeightsFileIsRefused_data() {
@@ -105,14 +121,17 @@ class NetworkFileTest : public QObject {
     add("unknown field", changed("\"rig\"", "\"ring\""), "unknown field 'ring'");
     add("no rig", changed("\"rig\":\"mine\",", ""), "rig must be a text (it is missing)");
     add("no networks", changed("\"chrom_nn\":{", "\"chrom_nn\":7,\"x\":{"), "unknown field 'x'");
-    add("wrong type", changed("\"profile\":\"a profile\"", "\"profile\":3"),
-        "spectra_nn.profile must be a text");
+    add("wrong type", changed("\"profile\":[1,", "\"profile\":[true,"),
+        "spectra_nn.profile must be a list of 2 finite numbers");
     add("huge layer", changed("\"inputs\":5,\"outputs\":4", "\"inputs\":5,\"outputs\":2000000000"),
         "spectra_nn.layers[0].outputs must be a whole number from 1 to 512");
     add("negative size", changed("\"inputs\":5", "\"inputs\":-5"), "from 1 to 512");
     add("size of a fraction", changed("\"inputs\":5", "\"inputs\":5.5"), "inputs must be");
     add("other size", changed("\"inputs\":5,\"outputs\":4", "\"inputs\":4,\"outputs\":4"),
         "spectra_nn.layers[0].weights must be a list of 16 finite numbers");
+    add("a name missing", changed("[\"a\",\"b\",\"c\"]", "[\"a\",\"b\"]"),
+        "as many inputs as it has channels");
+    add("a name that is none", changed("[\"a\",\"b\",", "[\"a\",7,"), "chrom_nn.inputs[1]");
     add("no layers", changed("\"layers\":[", "\"layers\":[],\"x\":["), "spectra_nn");
     add("not a number", changed("\"mean\":[0.25", "\"mean\":[NaN"), "not valid JSON");
     add("a text for a number", changed("\"mean\":[0.25", "\"mean\":[\"0.25\""),
@@ -126,7 +145,7 @@ class NetworkFileTest : public QObject {
     add("no sigmoid", changed("\"activation\":\"sigmoid\"", "\"activation\":\"relu\""),
         "does not end in a sigmoid");
     add("axis", changed("\"exponent\":3", "\"exponent\":9"), "an axis");
-    add("profiles differ", changed("\"profile\":\"a profile\"", "\"profile\":\"b\""),
+    add("profiles differ", changed("\"profile\":[1,", "\"profile\":[1.5,"),
         "are of different profiles");
     add("noise", changed("\"noise\":[0.0", "\"noise\":[-1.0"), "noise must be two numbers from 0");
     add("seed", changed("\"seed\":1", "\"seed\":-1"), "seed must be a whole number from 0");

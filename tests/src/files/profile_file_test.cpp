@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/skin/node_model.h"
+#include "core/skin/profile_signature.h"
 #include "src/files/profile_file.h"
 #include "src/files/resources.h"
 #include "src/files/text_file.h"
@@ -310,6 +311,30 @@ class ProfileFileTest : public QObject {
     // The prior and the names change no reflectance.
     QCOMPARE(of("\"melanin\": 0.05", "\"melanin\": 0.06"), original);
     QCOMPARE(of("\"name\": \"li2024\"", "\"name\": \"other\""), original);
+  }
+
+  void signaturesForgiveRoundingAlone() {
+    const Profile& original = test::li2024().profile();
+    const auto is = [&](const Profile& other) {
+      return alike(signatureOf(other), signatureOf(original));
+    };
+    Profile rounded = original;
+    rounded.eumelanin.coefficient *= 1.0 + 1e-15;
+    rounded.oxyhaemoglobin *= 1.0 - 1e-15;
+    rounded.prior = {};
+    QVERIFY(fingerprint(rounded) != fingerprint(original));
+    QVERIFY(is(rounded));
+    Profile other = original;
+    other.dermalBlood.oxygenation += 1e-4;
+    QVERIFY(!is(other));
+    other = original;
+    other.carotene[80] *= 1.01;
+    QVERIFY(!is(other));
+    // Fields that the paper's model does not have, of one value.
+    Profile dermal = original, epidermal = original;
+    dermal.dermalBlood.vesselRadiusMm = epidermal.epidermalBlood.vesselRadiusMm = 0.01;
+    QVERIFY(!is(dermal) && !is(epidermal));
+    QVERIFY(!alike(signatureOf(dermal), signatureOf(epidermal)));
   }
 
  private:
