@@ -112,6 +112,11 @@ void addTrainCommand(CLI::App& app, Invocation& invocation) {
           "Picture to draw, .svg or .png: errors by epoch, what principal components leave, "
           "the components, and a spectrum rebuilt from them")
       ->type_name("FILE");
+  command
+      .add_option("--sizes", options->sizes,
+                  "Instead of writing weights, train networks with each of these hidden layers and "
+                  "print what they cost and how good they are: \"16,16;default;64,64\"")
+      ->type_name("N,...;...");
 }
 
 }  // namespace cutis
