@@ -41,7 +41,8 @@ Status checkComparison(const TrainCommand& command) {
 
 Status checkOutputs(const TrainCommand& command) {
   if (!command.sizes.empty()) return checkComparison(command);
-  if (command.output.empty()) return usageError("-o", "name the weights to write, -o WEIGHTS.json");
+  if (command.output.empty())
+    return usageError("train", "-o is required; name the weights to write");
   const std::vector<std::string> inputs = {command.options.rig, command.options.profile};
   CUTIS_CHECK(checkTextOutput(command.output, inputs));
   CUTIS_CHECK(checkDistinct(command.state, command.output));
