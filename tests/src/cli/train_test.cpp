@@ -61,12 +61,12 @@ class TrainTest : public QObject {
   void anInterruptedTrainingGoesOn() {
     const QString line =
         "train --rig albedo --profile li2024 --hidden 8,8 --people 20000 --epochs "
-        "60 --table-step 997 --threads 1 --state state.json";
+        "90 --table-step 997 --threads 1 --state state.json";
     QString whole = line;
     EXPECT_DONE(run_.run(whole.remove(" --state state.json") + " -o whole.json"));
     const auto process = run_.start(line + " -o gone_on.json");
     QVERIFY(process->waitForStarted());
-    QThread::msleep(700);
+    QTRY_VERIFY_WITH_TIMEOUT(std::filesystem::exists(run_ / "state.json"), 60000);
     ::kill(static_cast<pid_t>(process->processId()), SIGINT);
     QVERIFY(process->waitForFinished(20000));
     if (process->exitCode() == 0) QSKIP("it was done before it could be interrupted");
