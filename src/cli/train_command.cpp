@@ -41,7 +41,8 @@ Status checkComparison(const TrainCommand& command) {
 
 Status checkOutputs(const TrainCommand& command) {
   if (!command.sizes.empty()) return checkComparison(command);
-  if (command.output.empty()) return usageError("-o", "name the weights to write, -o WEIGHTS.json");
+  if (command.output.empty())
+    return usageError("train", "-o is required; name the weights to write");
   const std::vector<std::string> inputs = {command.options.rig, command.options.profile};
   CUTIS_CHECK(checkTextOutput(command.output, inputs));
   CUTIS_CHECK(checkDistinct(command.state, command.output));
@@ -112,6 +113,11 @@ void addTrainCommand(CLI::App& app, Invocation& invocation) {
           "Picture to draw, .svg or .png: errors by epoch, what principal components leave, "
           "the components, and a spectrum rebuilt from them")
       ->type_name("FILE");
+  command
+      .add_option("--sizes", options->sizes,
+                  "Instead of writing weights, train networks with each of these hidden layers and "
+                  "print what they cost and how good they are: \"16,16;default;64,64\"")
+      ->type_name("N,...;...");
 }
 
 }  // namespace cutis

@@ -116,7 +116,7 @@ void drawMarked(Drawing& drawing, const PlotPanel& panel, int count, double erro
   drawing.disc(at, kDisc, color, kNoStroke);
   TextStyle style = kLabel;
   style.color = color;
-  drawing.text(above ? Point{at.x + 11.0, at.y - 6.0} : Point{at.x - 9.0, at.y + 16.0}, words,
+  drawing.text(above ? Point{at.x + 9.0, at.y - 12.0} : Point{at.x - 9.0, at.y + 16.0}, words,
                style, above ? Anchor::start : Anchor::end);
 }
 
@@ -237,7 +237,7 @@ void drawDifference(Drawing& drawing, const Rebuilt& example, double whole) {
   drawCurve(drawing, panel, wavelengths(), valuesOf(ten), kTen);
   drawCurve(drawing, panel, wavelengths(), valuesOf(used), kOurs);
   const double magnified = whole / (2.0 * ticks.back());
-  drawFrame(drawing, panel, "The difference, " + formatNumber(magnified, 2) + " times as tall",
+  drawFrame(drawing, panel, "The difference, " + fixedNumber(magnified, 0) + " times as tall",
             "wavelength, nm");
 }
 

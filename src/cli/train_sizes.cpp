@@ -17,8 +17,9 @@ namespace cutis {
 namespace {
 
 constexpr std::size_t kMostSizes = 20;
-constexpr std::size_t kPixels = 1 << 15;
-constexpr int kRuns = 15;
+// Few enough that a run is over before another program gets the core.
+constexpr std::size_t kPixels = 1 << 11;
+constexpr int kRuns = 300;
 constexpr char kDefaultSize[] = "default";
 
 struct NetworkSize {

@@ -31,7 +31,8 @@ Result<NetworkTrainingState> TrainingKeeper::load() const {
 }
 
 void TrainingKeeper::keep(const NetworkTrainingState& state, const JobContext& context) {
-  if (path_.empty() || std::chrono::steady_clock::now() - written_ < kBetweenWrites) return;
+  if (path_.empty()) return;
+  if (written_ && std::chrono::steady_clock::now() - *written_ < kBetweenWrites) return;
   const Status written = save(state);
   if (written.failed()) context.say(written.error().text());
 }

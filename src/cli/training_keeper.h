@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/job_context.h"
@@ -23,8 +24,8 @@ class TrainingKeeper {
   // file is of another training or damaged.
   Result<NetworkTrainingState> load() const;
 
-  // After each epoch: writes if the last time was some seconds ago. A failure is said and does not
-  // stop the training.
+  // After each epoch: writes the first, and then if the last time was some seconds ago. A failure
+  // is said and does not stop the training.
   void keep(const NetworkTrainingState& state, const JobContext& context);
   // Writes now, where an epoch was done.
   Status save(const NetworkTrainingState& state);
@@ -35,7 +36,7 @@ class TrainingKeeper {
   std::filesystem::path path_;
   std::string command_;
   std::string identity_;
-  std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
+  std::optional<std::chrono::steady_clock::time_point> written_;
 };
 
 }  // namespace cutis
