@@ -96,7 +96,9 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
   updateActions();
 }
 
-MainWindow::~MainWindow() { jobs_.stopAll(); }
+MainWindow::~MainWindow() {
+  jobs_.stopAll();
+}
 
 QWidget* MainWindow::makeWorkArea() {
   plot_->setMinimumHeight(kPlotHeight / 2);
@@ -151,27 +153,41 @@ QWidget* MainWindow::makeSidePanel() {
   return side;
 }
 
-void MainWindow::connectJobs() {
-  connect(&jobs_, &JobRunner::started, this, [this](JobId id, const QString& name) {
-    visibleJob_ = id;
-    visibleJobName_ = name;
-    progress_->setJob({name, {}, std::nullopt, std::nullopt});
+// The strip shows the newest job; when that ends, the one before it.
+void MainWindow::connectStrip() {
+  const auto show = [this](JobId id, const QString& stage, std::optional<double> fraction,
+                           double left) {
+    if (visibleJobs_.empty() || id != visibleJobs_.rbegin()->first) return;
+    progress_->setJob({visibleJobs_.rbegin()->second, stage, fraction,
+                       left < 0.0 ? std::nullopt : std::optional<double>(left)});
+  };
+  connect(&jobs_, &JobRunner::started, this, [this, show](JobId id, const QString& name) {
+    visibleJobs_[id] = name;
+    show(id, {}, std::nullopt, -1.0);
   });
-  connect(&jobs_, &JobRunner::progressed, this,
-          [this](JobId id, const QString& stage, double fraction, double left) {
-            if (id != visibleJob_) return;
-            progress_->setJob({visibleJobName_, stage, fraction,
-                               left < 0.0 ? std::nullopt : std::optional<double>(left)});
-          });
-  connect(&jobs_, &JobRunner::finished, this, [this](JobId id) {
-    if (id == visibleJob_) progress_->clearJob();
+  connect(&jobs_, &JobRunner::progressed, this, show);
+  connect(&jobs_, &JobRunner::finished, this, [this, show](JobId id) {
+    visibleJobs_.erase(id);
+    if (visibleJobs_.empty()) {
+      progress_->clearJob();
+    } else {
+      show(visibleJobs_.rbegin()->first, {}, std::nullopt, -1.0);
+    }
     updateActions();
   });
   connect(progress_, &ProgressStrip::cancelWanted, this, [this] {
-    jobs_.cancel(visibleJob_);
-    progress_->showMessage(tr("%1: cancelled").arg(visibleJobName_), false);
+    if (visibleJobs_.empty()) return;
+    const auto [id, name] = *visibleJobs_.rbegin();
+    jobs_.cancel(id);
+    progress_->showMessage(tr("%1: cancelled").arg(name), false);
   });
-  const auto showError = [this](const QString& sentence) { progress_->showMessage(sentence, true); };
+}
+
+void MainWindow::connectJobs() {
+  connectStrip();
+  const auto showError = [this](const QString& sentence) {
+    progress_->showMessage(sentence, true);
+  };
   connect(document_.get(), &Document::failed, this, showError);
   connect(server_.get(), &LayerServer::failed, this, showError);
   connect(document_.get(), &Document::noticed, this,
@@ -186,7 +202,8 @@ void MainWindow::documentOpened() {
   setWindowTitle(tr("%1 — Cutis").arg(document_->name()));
   pages_->setCurrentIndex(1);
   viewport_->setFocus();
-  for (const auto& file : document_->sourceFiles()) remember(QString::fromStdString(file.string()));
+  for (const auto& file : document_->sourceFiles())
+    remember(QString::fromStdString(file.string()));
   updateActions();
 }
 
@@ -196,12 +213,12 @@ void MainWindow::documentFitted() {
     return 100.0 * static_cast<double>(count) / static_cast<double>(pixels.total);
   };
   if (pixels.total > 0 && pixels.solved + pixels.duplicate == 0) {
-    progress_->showMessage(tr("No pixel could be fitted: all are masked, black or saturated"), true);
+    progress_->showMessage(tr("No pixel could be fitted: all are masked, black or saturated"),
+                           true);
   } else if (pixels.total > 0 && percent(pixels.noConvergence) > 1.0) {
-    progress_->showMessage(
-        tr("%1 % of the pixels did not settle; their values are rough")
-            .arg(percent(pixels.noConvergence), 0, 'f', 0),
-        false);
+    progress_->showMessage(tr("%1 % of the pixels did not settle; their values are rough")
+                               .arg(percent(pixels.noConvergence), 0, 'f', 0),
+                           false);
   }
   updateActions();
 }
@@ -214,7 +231,8 @@ void MainWindow::updateActions() {
   undo_->setText(history.canUndo() ? tr("&Undo %1").arg(history.undoName()) : tr("&Undo"));
   redo_->setText(history.canRedo() ? tr("&Redo %1").arg(history.redoName()) : tr("&Redo"));
   const bool exportable = open && document_->isFitted() && document_->scene().source != nullptr;
-  for (QAction* action : {load_, train_}) action->setEnabled(document_->canFit());
+  for (QAction* action : {load_, train_})
+    action->setEnabled(document_->canFit());
   export_->setEnabled(exportable);
   exportButton_->setEnabled(exportable);
 }
@@ -231,18 +249,18 @@ void MainWindow::openPath(const QString& path) {
 
 void MainWindow::exportAlbedo(const QString& path) {
   const std::filesystem::path file(path.toStdString());
-  jobs_.start(tr("Export %1").arg(QFileInfo(path).fileName()), [this, file, path,
-                                                                scene = document_->scene(),
-                                                                sources = document_->sourceFiles()](
-                                                                   const JobRunner::Handle& job) {
-    const auto store = std::make_shared<TileStore>(std::size_t{1} << 30);
-    const Status status = cutis::exportAlbedo(scene, *engine_, file, sources, store, job.context);
-    if (status.cancelled()) return;
-    const bool failed = status.failed();
-    const QString sentence = failed ? QString::fromStdString(status.error().text())
-                                    : tr("Written: %1").arg(path);
-    job.post([this, sentence, failed] { progress_->showMessage(sentence, failed); });
-  });
+  jobs_.start(tr("Export %1").arg(QFileInfo(path).fileName()),
+              [this, file, path, scene = document_->scene(),
+               sources = document_->sourceFiles()](const JobRunner::Handle& job) {
+                const auto store = std::make_shared<TileStore>(std::size_t{1} << 30);
+                const Status status =
+                    cutis::exportAlbedo(scene, *engine_, file, sources, store, job.context);
+                if (status.cancelled()) return;
+                const bool failed = status.failed();
+                const QString sentence = failed ? QString::fromStdString(status.error().text())
+                                                : tr("Written: %1").arg(path);
+                job.post([this, sentence, failed] { progress_->showMessage(sentence, failed); });
+              });
 }
 
 void MainWindow::setLight(const LightChoice& choice) {
@@ -264,14 +282,15 @@ void MainWindow::setLight(const LightChoice& choice) {
 
 void MainWindow::syncLight() {
   LightChoice choice = lightPanel_->choice();
-  choice.kind = layers_->current() == LayerKind::ultraviolet ? LightChoice::Kind::ultraviolet
-                : layers_->current() == LayerKind::nearInfrared
-                    ? LightChoice::Kind::nearInfrared
-                    : LightChoice::Kind::colour;
+  choice.kind = layers_->current() == LayerKind::ultraviolet    ? LightChoice::Kind::ultraviolet
+                : layers_->current() == LayerKind::nearInfrared ? LightChoice::Kind::nearInfrared
+                                                                : LightChoice::Kind::colour;
   lightPanel_->setChoice(choice);
 }
 
-bool MainWindow::isIdle() const { return !jobs_.isBusy() && jobs_.isIdle() && server_->isIdle(); }
+bool MainWindow::isIdle() const {
+  return !jobs_.isBusy() && jobs_.isIdle() && server_->isIdle();
+}
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (event->mimeData()->hasUrls()) event->acceptProposedAction();

@@ -5,6 +5,7 @@
 
 #include <QMainWindow>
 #include <QStringList>
+#include <map>
 #include <memory>
 
 #include "src/app/document.h"
@@ -67,6 +68,7 @@ class MainWindow : public QMainWindow {
   QWidget* makeSidePanel();
   void makeMenus();
   void connectJobs();
+  void connectStrip();
   void documentOpened();
   void documentFitted();
   void updateActions();
@@ -104,8 +106,7 @@ class MainWindow : public QMainWindow {
   QAction* export_ = nullptr;
   QAction* load_ = nullptr;
   QAction* train_ = nullptr;
-  JobId visibleJob_ = 0;
-  QString visibleJobName_;
+  std::map<JobId, QString> visibleJobs_;  // with their names; the newest is shown
 };
 
 }  // namespace cutis

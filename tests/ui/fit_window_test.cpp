@@ -192,6 +192,22 @@ class FitWindowTest : public QObject {
     QVERIFY(window_->document().isFitted());
   }
 
+  // A fit beside it is shown while it runs, and the training again after it.
+  void theStripShowsTheNewestJob() {
+    window_->training().setPlan(usualTraining);
+    window_->training().train();
+    QVERIFY(window_->progress().jobRuns());
+    QSignalSpy fitted(&window_->document(), &Document::fitted);
+    window_->fit().fitWithProfile("li2024");
+    QTRY_COMPARE_WITH_TIMEOUT(fitted.count(), 1, kPatienceMs);
+    QTest::qWait(50);
+    QVERIFY(window_->progress().jobRuns());
+    QVERIFY(window_->training().dialog().isTraining());
+    Q_EMIT window_->progress().cancelWanted();
+    QVERIFY(!window_->training().dialog().isVisible());
+    QVERIFY(!window_->progress().jobRuns());
+  }
+
   void closingDuringTrainingIsSafe() {
     window_->training().setPlan(usualTraining);
     window_->training().train();
