@@ -9,13 +9,17 @@ namespace cutis {
 
 class Damping {
  public:
+  Damping() = default;
+  // Never less than this: from there, fewer refusals lead to short steps.
+  explicit Damping(double least) : least_(least) {}
+
   // By this share the diagonal of the normal matrix grows.
   double value() const { return value_; }
 
   // A step lowered the cost by `gained` (≥ 0) where the quadratic promised `promised`.
   void accept(double gained, double promised) {
     value_ *= gained > 0.75 * promised ? 0.1 : gained < 0.25 * promised ? 3.0 : 1.0;
-    value_ = std::max(value_, kLeast);
+    value_ = std::max(value_, least_);
   }
   void reject() { value_ *= 10.0; }
   // Steps are so short that they are lost in rounding.
@@ -23,9 +27,9 @@ class Damping {
 
  private:
   static constexpr double kFirst = 1e-3;
-  static constexpr double kLeast = 1e-12;
   static constexpr double kMost = 1e10;
 
+  double least_ = 1e-12;
   double value_ = kFirst;
 };
 

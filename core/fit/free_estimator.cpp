@@ -6,6 +6,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/skin/weighted_sums.h"
+
 namespace cutis {
 
 template <int N>
@@ -15,7 +17,10 @@ FreeEstimator<N>::FreeEstimator(FreeProblem problem)
       range_(Eigen::Matrix<double, N, 1>::Ones()) {
   const Eigen::MatrixXd& weights = problem_.channels->nodes().weights;
   for (Eigen::Index k = 0; k < weights.rows(); ++k) {
-    if ((weights.row(k).array() != 0.0).any()) alive_.push_back(k);
+    if ((weights.row(k).array() == 0.0).all()) continue;
+    channels_.push_back(static_cast<std::size_t>(k));
+    for (Eigen::Index n = 0; n < weights.cols(); ++n)
+      weights_.push_back(weights(k, n));
   }
   const CoordinatePrior& prior = problem_.parameters;
   low_.template head<kParameterCount>() = prior.low.matrix();
@@ -142,20 +147,16 @@ template <int N>
 auto FreeEstimator<N>::linearise(std::span<const Point> points, std::span<const std::size_t> pixels,
                                  const PixelBatch& batch) const -> std::vector<Linearised> {
   const std::size_t count = points.size();
-  const Eigen::MatrixXd& weights = problem_.channels->nodes().weights;
   const std::vector<double> nodes = nodeValues(points);
-  EquationSums<N> sums(count);
   const std::size_t width = (N + 1) * count;
-  std::vector<double> row(width);  // of a channel: [1 + N][point]
-  for (const Eigen::Index channel : alive_) {
-    std::fill(row.begin(), row.end(), 0.0);
-    for (Eigen::Index n = 0; n < weights.cols(); ++n) {
-      const double weight = weights(channel, n);
-      const double* of = nodes.data() + static_cast<std::size_t>(n) * width;
-      for (std::size_t j = 0; j < width; ++j)
-        row[j] += weight * of[j];
-    }
-    const float* measured = batch.channels + static_cast<std::size_t>(channel) * batch.stride;
+  // Of the channels: [channel][1 + N][point].
+  std::vector<double> modelled(channels_.size() * width);
+  runWeightedSums({weights_.data(), channels_.size(), weights_.size() / channels_.size(),
+                   nodes.data(), width, modelled.data()});
+  EquationSums<N> sums(count);
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const double* row = modelled.data() + c * width;
+    const float* measured = batch.channels + channels_[c] * batch.stride;
     for (std::size_t i = 0; i < count; ++i) {
       const double value = double{measured[pixels[i]]};
       const double root = 1.0 / std::sqrt(problem_.noise.variance(value));
@@ -199,7 +200,7 @@ void FreeEstimator<N>::deviationsAt(const Point& point, const EquationsOf<N>& eq
 
 template <int N>
 double FreeEstimator<N>::mostChannelCost() const {
-  const auto channels = static_cast<double>(alive_.size());
+  const auto channels = static_cast<double>(channels_.size());
   return channels + 4.0 * std::sqrt(2.0 * channels);
 }
 

@@ -67,7 +67,8 @@ class FreeEstimator {
   SkinConstants constantsAt(const Point& point) const;
 
   FreeProblem problem_;
-  std::vector<Eigen::Index> alive_;          // channels
+  std::vector<std::size_t> channels_;        // that see something
+  std::vector<double> weights_;              // of these: [channel][node]
   Eigen::Matrix<double, N, 1> low_, range_;  // of the coordinates
   Point mean_ = Point::Zero();
   Eigen::Matrix<double, N, N> precision_ = Eigen::Matrix<double, N, N>::Zero();  // of the prior

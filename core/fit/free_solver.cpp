@@ -23,6 +23,9 @@ constexpr double kExactTolerance = 1e-8;
 constexpr int kMaximumRounds = 100;
 constexpr int kExactMaximumRounds = 400;
 constexpr int kMaximumNodes = 64;
+// Without noise the channels are met to some 1e-5, the error of the tables; ten times that is no
+// good end, a hundred times the noise that stands for none.
+constexpr double kExactMisfit = 1e4;
 // Pixels searched for side by side: their nodes stay in the cache.
 constexpr std::size_t kBatch = 64;
 
@@ -59,9 +62,9 @@ class FreeSolver final : public PixelSolver {
       const std::size_t end = std::min(begin + kBatch, batch.count);
       std::vector<FreeSearch<N>> searches;
       for (std::size_t i = begin; i < end; ++i)
-        searches.emplace_back(i, startAt(found, batch.count, i));
+        searches.emplace_back(i, 0.5 * (estimator_.mean() + ordinaryAt(found, batch.count, i)));
       run(batch, searches);
-      searchAgain(batch, searches);
+      searchAgain(batch, found, searches);
       for (const FreeSearch<N>& search : searches)
         write(search, batch, report);
     }
@@ -99,8 +102,8 @@ class FreeSolver final : public PixelSolver {
     return channels;
   }
 
-  // found: [parameter][count].
-  Point startAt(const std::vector<float>& found, std::size_t count, std::size_t pixel) const {
+  // What the ordinary fit found, [parameter][count], with the prior's constants.
+  Point ordinaryAt(const std::vector<float>& found, std::size_t count, std::size_t pixel) const {
     double values[N];
     estimator_.valuesOf(estimator_.mean(), values);
     for (std::size_t k = 0; k < kParameterCount; ++k)
@@ -120,18 +123,24 @@ class FreeSolver final : public PixelSolver {
                 exact_ ? kExactMaximumRounds : kMaximumRounds, searches);
   }
 
-  void searchAgain(const PixelBatch& batch, std::vector<FreeSearch<N>>& searches) const {
-    std::vector<FreeSearch<N>> again;
-    for (const FreeSearch<N>& search : searches) {
-      if (search.channelCost() <= estimator_.mostChannelCost()) continue;
-      again.emplace_back(search.pixel(), estimator_.mean());
-    }
-    run(batch, again);
-    auto next = again.begin();
-    for (FreeSearch<N>& search : searches) {
-      if (next == again.end() || next->pixel() != search.pixel()) continue;
-      if (next->cost() < search.cost()) search = *next;
-      ++next;
+  // From elsewhere where the end is no good one, and keeps the better end.
+  void searchAgain(const PixelBatch& batch, const std::vector<float>& found,
+                   std::vector<FreeSearch<N>>& searches) const {
+    const double most = estimator_.mostChannelCost() * (exact_ ? kExactMisfit : 1.0);
+    for (const bool atMean : {false, true}) {
+      std::vector<FreeSearch<N>> again;
+      for (const FreeSearch<N>& search : searches) {
+        if (search.channelCost() <= most) continue;
+        again.emplace_back(search.pixel(), atMean ? estimator_.mean()
+                                                  : ordinaryAt(found, batch.count, search.pixel()));
+      }
+      run(batch, again);
+      auto next = again.begin();
+      for (FreeSearch<N>& search : searches) {
+        if (next == again.end() || next->pixel() != search.pixel()) continue;
+        if (next->cost() < search.cost()) search = *next;
+        ++next;
+      }
     }
   }
 

@@ -3,11 +3,11 @@
 // The refined fit with oxygenation or thickness, or both, found for each pixel beside the five
 // parameters: for photographs under many lights (core/skin/free_constants.h).
 //
-// Maximum a posteriori in double precision, the profile's constants where their prior has its
-// middle (core/fit/constants_prior.h). A pixel begins at what the ordinary refined fit finds for it
-// with the profile's constants; where that ends in a misfit which is no noise, a second search
-// begins at the prior's mean, and the more probable end is kept. Deviations are of the normal
-// approximation.
+// Maximum a posteriori in double precision, with the prior of core/fit/constants_prior.h for the
+// constants. A pixel begins midway between the prior's mean and what the ordinary refined fit finds
+// for it, which bends the parameters to what the constants explain; where that ends in a misfit
+// that is no noise, further searches begin at what that fit found and at the prior's mean, and the
+// most probable end is kept. Deviations are of the normal approximation.
 
 #include <memory>
 

@@ -60,7 +60,8 @@ void Epidermis(const TableArguments& arguments) {
     const V extinction = hn::Add(absorption, scattering);
     const V path = hn::Div(hn::Set(d, 1.0f), extinction);
     const SlabVectors<V> slab =
-        SlabOf(d, arguments.layers, MediumOf(d, absorption, scattering, extinction, path));
+        SlabOf(d, arguments.layers, MediumOf(d, absorption, scattering, extinction, path),
+               hn::Set(d, arguments.layers.thicknessMm));
     const V inverseW = hn::Div(hn::Set(d, 1.0f), slab.w);
     const V front = hn::Mul(slab.front, inverseW);
     out[0] = hn::GetLane(hn::Mul(front, slab.up));

@@ -3,9 +3,8 @@
 // A smooth function of one variable from its values at a few points: the polynomial through the
 // Chebyshev points of a range, as weights of those values.
 
+#include <span>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace cutis {
 
@@ -18,17 +17,19 @@ class ChebyshevWeights {
   int count() const { return static_cast<int>(points_.size()); }
   const std::vector<double>& points() const { return points_; }
 
-  // f(x) = Σ weights[k] f(points[k]) and f'(x) = Σ slopes[k] f(points[k]). NaN gives NaN.
+  // Of many x, [point][x]: f(x) = Σ weights[k] f(points[k]) and f'(x) = Σ slopes[k] f(points[k]).
+  // NaN gives NaN; each x for itself.
   struct At {
-    Eigen::VectorXd weights, slopes;
+    std::vector<double> weights, slopes;
   };
-  At at(double x) const;
+  At at(std::span<const double> x) const;
 
  private:
   double centre_;
   double halfRange_;
   std::vector<double> points_;
-  Eigen::MatrixXd fromChebyshev_;  // [point][degree]
+  std::vector<double> fromChebyshev_;  // [point][degree]
+  std::vector<double> fromSlopes_;     // the same, by x
 };
 
 }  // namespace cutis

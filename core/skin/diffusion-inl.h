@@ -36,6 +36,7 @@ struct LayeredVectors {
   V reflectance;
   V perEpidermalAbsorption;  // unset without derivatives
   V perDermalAbsorption;
+  V perThickness;  // only of LayeredReflectanceAt<true, true>
 };
 
 // Epidermal and dermal absorption at a node. melaninEu is C_m · β_m.
@@ -152,12 +153,12 @@ struct SlabVectors {
 
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE SlabVectors<V> SlabOf(D d, const LayerConstants<hn::TFromD<D>>& layers,
-                                 const MediumVectors<V>& medium) {
+                                 const MediumVectors<V>& medium, V thickness) {
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1));
   const V s = medium.argument;
   const V g = InnerDecay(d, layers, s);
-  const V t = ExpOfNegative(d, hn::Mul(medium.transport, hn::Set(d, -layers.thicknessMm)));
+  const V t = ExpOfNegative(d, hn::Neg(hn::Mul(medium.transport, thickness)));
   const V g2 = hn::Mul(g, g);
   SlabVectors<V> slab;
   slab.q = AirDecay(d, layers, s);
@@ -182,10 +183,26 @@ HWY_INLINE SlabVectors<V> SlabOf(D d, const LayerConstants<hn::TFromD<D>>& layer
   return slab;
 }
 
-template <bool kDerivatives, class D, class V = hn::Vec<D>>
-HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::TFromD<D>>& layers,
+// ∂R/∂d: of all factors t alone depends on the thickness, (t²)' = −2u t².
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V ThicknessSlope(D d, const SlabVectors<V>& slab, V transport, V below, V front,
+                            V reflectance, V inverseW, V inverseV) {
+  const V twice = hn::Mul(hn::Set(d, hn::TFromD<D>(2)), transport);
+  const V dW = hn::Mul(hn::Mul(slab.p, slab.t2qr), twice);
+  const V dDown = hn::Mul(slab.t2q, twice);
+  const V dV = hn::NegMulAdd(hn::Mul(slab.back, dDown), below, dW);
+  const V dThrough = hn::Neg(hn::Mul(slab.through, hn::MulAdd(inverseV, dV, twice)));
+  const V dInner =
+      hn::MulAdd(hn::Mul(below, inverseV), dThrough, hn::Mul(slab.t2r, twice));
+  return hn::NegMulAdd(hn::Mul(reflectance, inverseW), dW, hn::Mul(front, dInner));
+}
+
+// thickness: of the epidermis, each pixel's own; kThickness: its derivative, too.
+template <bool kDerivatives, bool kThickness, class D, class V = hn::Vec<D>>
+HWY_INLINE LayeredVectors<V> LayeredReflectanceAt(D d, const LayerConstants<hn::TFromD<D>>& layers,
                                                   const NodeConstants<hn::TFromD<D>>& node,
-                                                  V epidermalAbsorption, V dermalAbsorption) {
+                                                  V thickness, V epidermalAbsorption,
+                                                  V dermalAbsorption) {
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1));
   const V scatteringE = hn::Set(d, node.epidermalScattering);
@@ -201,7 +218,7 @@ HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::
       MediumOf(d, sigmaD, scatteringD, extinctionD, hn::Mul(inverseBoth, extinctionE));
 
   const HalfSpaceVectors<V> half = HalfSpaceOf(d, layers, dermis);
-  const SlabVectors<V> slab = SlabOf(d, layers, epidermis);
+  const SlabVectors<V> slab = SlabOf(d, layers, epidermis, thickness);
   const V below = half.reflectance;
   const V v = hn::NegMulAdd(hn::Mul(slab.back, slab.down), below, slab.w);
   const V inverseWV = hn::Div(one, hn::Mul(slab.w, v));
@@ -231,7 +248,7 @@ HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::
                                          hn::Mul(hn::Mul(inverseV, inverseV), dBelow));
 
     // Epidermis: the product rule from the inside out. Exponents first.
-    const V dDepth2 = hn::Mul(hn::Set(d, 2 * layers.thicknessMm), duE);
+    const V dDepth2 = hn::Mul(hn::Add(thickness, thickness), duE);
     const V dGap = hn::Mul(hn::Set(d, layers.airGap), dsE);
     const V dInnerGap = hn::Mul(hn::Set(d, T(4.0 / 3.0)), dsE);
     const V dTwo = hn::Mul(hn::Set(d, T(2)), dsE);
@@ -262,7 +279,20 @@ HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::
     result.perEpidermalAbsorption =
         hn::NegMulAdd(hn::Mul(result.reflectance, inverseW), dW, slope);
   }
+  if constexpr (kThickness) {
+    result.perThickness = ThicknessSlope(d, slab, epidermis.transport, below, front,
+                                         result.reflectance, inverseW, inverseV);
+  }
   return result;
+}
+
+template <bool kDerivatives, class D, class V = hn::Vec<D>>
+HWY_INLINE LayeredVectors<V> LayeredReflectanceOf(D d, const LayerConstants<hn::TFromD<D>>& layers,
+                                                  const NodeConstants<hn::TFromD<D>>& node,
+                                                  V epidermalAbsorption, V dermalAbsorption) {
+  return LayeredReflectanceAt<kDerivatives, false>(d, layers, node,
+                                                   hn::Set(d, layers.thicknessMm),
+                                                   epidermalAbsorption, dermalAbsorption);
 }
 
 }  // namespace HWY_NAMESPACE

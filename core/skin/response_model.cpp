@@ -8,6 +8,7 @@
 
 #include "core/skin/model_nodes.h"
 #include "core/skin/response_kernel.h"
+#include "core/skin/variable_response.h"
 
 namespace cutis {
 
@@ -22,7 +23,7 @@ ResponseModel::ResponseModel(const SkinModel& model, const SpectrumRows& rows,
 }
 
 ResponseModel::ResponseModel(std::shared_ptr<const VariableResponse> variable)
-    : nodes_(variable->nodes()), variable_(std::move(variable)) {}
+    : nodes_(variable->nodes()), free_(variable->free()), variable_(std::move(variable)) {}
 
 Result<std::shared_ptr<const ResponseModel>> ResponseModel::create(const SkinModel& model,
                                                                    const SpectrumRows& rows,

@@ -12,10 +12,11 @@
 #include "core/skin/node_model.h"
 #include "core/skin/reflectance_batch.h"
 #include "core/skin/skin_model.h"
-#include "core/skin/variable_response.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
+
+class VariableResponse;
 
 // Thread-safe: const after construction.
 class ResponseModel {
@@ -36,7 +37,7 @@ class ResponseModel {
   int rowCount() const { return static_cast<int>(nodes_.weights.rows()); }
   const SpectralNodes& nodes() const { return nodes_; }
   // What a pixel must bring along.
-  FreeConstants free() const { return variable_ ? variable_->free() : FreeConstants(); }
+  const FreeConstants& free() const { return free_; }
 
   // out[row][i] for each pixel of the batch. Within 2e-6 of SkinModel at the nodes, plus the nodes'
   // own error; the properties of reflectanceBatch() hold. Precondition: the batch has the constants
@@ -45,6 +46,7 @@ class ResponseModel {
 
  private:
   SpectralNodes nodes_;
+  FreeConstants free_;
   std::shared_ptr<const VariableResponse> variable_;  // null: the profile's constants
   std::optional<NodeModel> model_;                    // without `variable_`
   std::vector<float> weights_;                        // by node, then row

@@ -5,6 +5,7 @@
 
 #include "core/skin/absorption.h"
 #include "core/skin/free_constants.h"
+#include "core/skin/weighted_sums.h"
 
 namespace cutis {
 namespace {
@@ -20,47 +21,45 @@ VariableBlood::VariableBlood(const Profile& profile, std::span<const int> sample
       free_(free),
       ofDermis_(weightsOver(profile.dermalBlood.oxygenation, free)),
       ofEpidermis_(weightsOver(profile.epidermalBlood.oxygenation, free)),
-      dermal_(static_cast<Eigen::Index>(samples.size()), ofDermis_.count()),
-      epidermal_(dermal_.rows(), ofEpidermis_.count()) {
+      dermal_(samples.size() * ofDermis_.points().size()),
+      epidermal_(dermal_.size()) {
   Profile changed = profile;
-  for (int k = 0; k < ofDermis_.count(); ++k) {
-    const auto point = static_cast<std::size_t>(k);
-    changed.dermalBlood.oxygenation = ofDermis_.points()[point];
-    changed.epidermalBlood.oxygenation = ofEpidermis_.points()[point];
+  const std::size_t points = ofDermis_.points().size();
+  for (std::size_t k = 0; k < points; ++k) {
+    changed.dermalBlood.oxygenation = ofDermis_.points()[k];
+    changed.epidermalBlood.oxygenation = ofEpidermis_.points()[k];
     const Spectrum dermal = dermalAbsorption(changed).blood;
     const Spectrum epidermal = epidermalAbsorption(changed).blood;
-    for (Eigen::Index s = 0; s < dermal_.rows(); ++s) {
-      const int sample = samples[static_cast<std::size_t>(s)];
-      dermal_(s, k) = dermal[sample];
-      epidermal_(s, k) = epidermal[sample];
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+      dermal_[s * points + k] = dermal[samples[s]];
+      epidermal_[s * points + k] = epidermal[samples[s]];
     }
   }
 }
 
 VariableBlood::Values VariableBlood::at(std::span<const double> dermalOxygenations) const {
-  const std::size_t count = dermalOxygenations.size();
-  const std::size_t size = static_cast<std::size_t>(dermal_.rows()) * count;
-  Values values;
-  for (auto* column : {&values.dermal, &values.epidermal, &values.dermalSlope,
-                       &values.epidermalSlope}) {
-    column->resize(size);
-  }
-  const double difference =
-      profile_.epidermalBlood.oxygenation - profile_.dermalBlood.oxygenation;
+  const std::size_t count = dermalOxygenations.size(), points = ofDermis_.points().size();
+  const double difference = profile_.epidermalBlood.oxygenation - profile_.dermalBlood.oxygenation;
+  std::vector<double> dermal(count), epidermal(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double dermal = free_ ? dermalOxygenations[i] : profile_.dermalBlood.oxygenation;
-    const double epidermal = epidermalOxygenation(profile_, dermal);
-    const ChebyshevWeights::At d = ofDermis_.at(dermal), e = ofEpidermis_.at(epidermal);
-    const bool follows = std::abs(epidermal - dermal - difference) < 1e-12;
-    for (Eigen::Index s = 0; s < dermal_.rows(); ++s) {
-      const std::size_t at = static_cast<std::size_t>(s) * count + i;
-      values.dermal[at] = dermal_.row(s).dot(d.weights);
-      values.dermalSlope[at] = dermal_.row(s).dot(d.slopes);
-      values.epidermal[at] = epidermal_.row(s).dot(e.weights);
-      values.epidermalSlope[at] = follows ? epidermal_.row(s).dot(e.slopes) : 0.0;
-    }
+    dermal[i] = free_ ? dermalOxygenations[i] : profile_.dermalBlood.oxygenation;
+    epidermal[i] = epidermalOxygenation(profile_, dermal[i]);
   }
-  return values;
+  const ChebyshevWeights::At ofDermis = ofDermis_.at(dermal);
+  ChebyshevWeights::At ofEpidermis = ofEpidermis_.at(epidermal);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::abs(epidermal[i] - dermal[i] - difference) < 1e-12) continue;
+    for (std::size_t k = 0; k < points; ++k)
+      ofEpidermis.slopes[k * count + i] = 0.0;
+  }
+  const auto sums = [&](const std::vector<double>& spectra, const std::vector<double>& weights) {
+    std::vector<double> values(spectra.size() / points * count);
+    runWeightedSums(
+        {spectra.data(), spectra.size() / points, points, weights.data(), count, values.data()});
+    return values;
+  };
+  return {sums(dermal_, ofDermis.weights), sums(epidermal_, ofEpidermis.weights),
+          sums(dermal_, ofDermis.slopes), sums(epidermal_, ofEpidermis.slopes)};
 }
 
 }  // namespace cutis

@@ -10,8 +10,6 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "core/skin/chebyshev_weights.h"
 #include "core/skin/profile.h"
 
@@ -38,7 +36,7 @@ class VariableBlood {
   Profile profile_;
   bool free_;
   ChebyshevWeights ofDermis_, ofEpidermis_;
-  Eigen::MatrixXd dermal_, epidermal_;  // [sample][point]
+  std::vector<double> dermal_, epidermal_;  // [sample][point]
 };
 
 }  // namespace cutis

@@ -8,13 +8,13 @@
 
 #include "core/skin/absorption.h"
 #include "core/skin/diffusion.h"
+#include "core/skin/diffusion_kernel.h"
 #include "core/skin/layer_table.h"
 #include "core/skin/layer_table_batch.h"
 
 namespace cutis {
 namespace {
 
-constexpr double kMatchedFactor = 1.0;
 // Where absorptions are looked at to find what any oxygenation spans.
 constexpr double kOxygenations[] = {0.0, 0.25, 0.5, 0.75, 1.0};
 
@@ -98,25 +98,25 @@ LayerSpectra VariableLayers::evaluate(const LayerStates& states, bool derivative
 }
 
 void VariableLayers::diffuse(const LayerStates& states, LayerSpectra& spectra) const {
-  for (std::size_t at = 0; at < spectra.reflectance.size(); ++at) {
-    const std::size_t s = at / states.count;
-    const double thickness = free_ ? states.thicknessMm[at % states.count] : ownThicknessMm_;
-    const double epidermal = states.epidermalAbsorption[at];
-    const double dermal = states.dermalAbsorption[at];
-    const auto slab = [&](const auto& absorption, const auto& depth) {
-      return slabOptics(absorption, epidermalScattering_[s], depth, airFactor_, kMatchedFactor);
-    };
-    const Dual below =
-        halfSpaceReflectance(Dual(dermal, 1.0), dermalScattering_[s], kMatchedFactor);
-    const Dual overDermal = addedReflectance(slab(Dual(epidermal), thickness), below);
-    spectra.reflectance[at] = overDermal.value;
-    if (spectra.perThickness.empty()) continue;
-    const Dual still(below.value);
-    spectra.perDermalAbsorption[at] = overDermal.slope;
-    spectra.perEpidermalAbsorption[at] =
-        addedReflectance(slab(Dual(epidermal, 1.0), thickness), still).slope;
-    spectra.perThickness[at] =
-        addedReflectance(slab(Dual(epidermal), Dual(thickness, 1.0)), still).slope;
+  const std::size_t count = states.count;
+  const std::vector<double> own(free_ ? 0 : count, ownThicknessMm_);
+  DiffusionArguments arguments = {};
+  arguments.layers.airGap = 4.0 / 3.0 * airFactor_;
+  arguments.thicknessMm = free_ ? states.thicknessMm : own.data();
+  arguments.count = count;
+  const auto at = [&](std::vector<double>& values, std::size_t sample) {
+    return values.empty() ? nullptr : values.data() + sample * count;
+  };
+  for (std::size_t s = 0; s < epidermalScattering_.size(); ++s) {
+    arguments.node.epidermalScattering = epidermalScattering_[s];
+    arguments.node.dermalScattering = dermalScattering_[s];
+    arguments.epidermalAbsorption = states.epidermalAbsorption + s * count;
+    arguments.dermalAbsorption = states.dermalAbsorption + s * count;
+    arguments.reflectance = at(spectra.reflectance, s);
+    arguments.perEpidermal = at(spectra.perEpidermalAbsorption, s);
+    arguments.perDermal = at(spectra.perDermalAbsorption, s);
+    arguments.perThickness = at(spectra.perThickness, s);
+    runDiffusionKernel(arguments);
   }
 }
 
@@ -124,15 +124,13 @@ void VariableLayers::transfer(const LayerStates& states, LayerSpectra& spectra) 
   const std::size_t count = states.count, sampleCount = epidermalScattering_.size();
   const bool derivatives = !spectra.perThickness.empty();
   const auto points = static_cast<std::size_t>(ofThickness_.count());
-  std::vector<double> weights(points * count), slopes(points * count);  // [point][skin]
-  for (std::size_t i = 0; i < count; ++i) {
-    const double thickness = free_ ? states.thicknessMm[i] : ownThicknessMm_;
-    const ChebyshevWeights::At own = ofThickness_.at(std::log(thickness));
-    for (std::size_t k = 0; k < points; ++k) {
-      weights[k * count + i] = own.weights[static_cast<Eigen::Index>(k)];
-      slopes[k * count + i] = own.slopes[static_cast<Eigen::Index>(k)] / thickness;
-    }
-  }
+  std::vector<double> logarithms(count);
+  for (std::size_t i = 0; i < count; ++i)
+    logarithms[i] = std::log(free_ ? states.thicknessMm[i] : ownThicknessMm_);
+  // [point][skin]; by the thickness itself.
+  auto [weights, slopes] = ofThickness_.at(logarithms);
+  for (std::size_t i = 0; i < slopes.size(); ++i)
+    slopes[i] /= std::exp(logarithms[i % count]);
   std::vector<double> reflectance(count), perEpidermal(count), perDermal(count);
   LayerTableBatch<double> batch;
   batch.count = count;

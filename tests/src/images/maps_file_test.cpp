@@ -57,6 +57,15 @@ MapsFile makeMaps(bool everything) {
   return file;
 }
 
+MapsFile withConstants(MapsFile file, const FreeConstants& free) {
+  for (const SkinConstant constant : kSkinConstants) {
+    if (!free.has(constant)) continue;
+    file.maps.constants[constant] = ramp(constant == kOxygenation ? 0.4f : 0.05f);
+    file.constantDeviations.push_back(ramp(constant == kOxygenation ? 0.1f : 0.01f));
+  }
+  return file;
+}
+
 Result<MapsFile> read(const std::filesystem::path& path, const JobContext& context = {}) {
   return readMaps(path, PixelFormat::float32, nullptr, context);
 }
@@ -151,6 +160,66 @@ class MapsFileTest : public QObject {
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       QVERIFY(valuesOf(file.value().maps.values[k]) == valuesOf(written.maps.values[k]));
     }
+  }
+
+  void constantsGoAlong() {
+    for (const FreeConstants& free :
+         {FreeConstants{true, true}, FreeConstants{true, false}, FreeConstants{false, true}}) {
+      const MapsFile written = withConstants(makeMaps(false), free);
+      EXPECT_OK(writeMaps(folder_.path("constants.exr"), written, {}));
+      const auto file = read(folder_.path("constants.exr"));
+      EXPECT_OK(file);
+      QVERIFY(file.value().maps.free() == free);
+      for (const SkinConstant constant : kSkinConstants) {
+        if (!free.has(constant)) continue;
+        QVERIFY(valuesOf(file.value().maps.constants[constant]) ==
+                valuesOf(written.maps.constants[constant]));
+      }
+      QCOMPARE(file.value().constantDeviations.size(), static_cast<std::size_t>(free.count()));
+      QVERIFY(valuesOf(file.value().constantDeviations[0]) ==
+              valuesOf(written.constantDeviations[0]));
+    }
+  }
+
+  // At an estimate they must be what some profile could have; elsewhere they are nothing.
+  void impossibleConstantsAreInvalid() {
+    MapsFile maps = withConstants(makeMaps(false), {true, true});
+    const auto spoil = [](Plane& plane, int x, int y, float value) {
+      QVERIFY(plane.store({x, y, x + 1, y + 1}, std::span(&value, 1)));
+    };
+    Plane& oxygenation = maps.maps.constants[kOxygenation];
+    Plane& thickness = maps.maps.constants[kThickness];
+    spoil(oxygenation, 5, 5, 1.5f);
+    spoil(oxygenation, 10, 5, -0.25f);
+    spoil(oxygenation, 15, 5, kNan);
+    spoil(thickness, 20, 5, 0.0f);
+    spoil(thickness, 25, 5, 40.0f);
+    spoil(thickness, 31, 5, 0.0f);  // masked
+    EXPECT_OK(writeMaps(folder_.path("impossible.exr"), maps, {}));
+    test::Listener listener;
+    const auto file = read(folder_.path("impossible.exr"), listener.context());
+    EXPECT_OK(file);
+    QCOMPARE(listener.sentences.size(), std::size_t{1});
+    QVERIFY(listener.sentences[0].find("5 pixels") != std::string::npos);
+    for (const int x : {5, 10, 15, 20, 25}) {
+      QCOMPARE(pixelOf(file.value().maps.state, x, 5), 2.0f);
+      for (const Plane& plane : file.value().maps.planes()) QCOMPARE(pixelOf(plane, x, 5), 0.0f);
+    }
+    QCOMPARE(pixelOf(file.value().maps.state, 31, 5), 1.0f);
+  }
+
+  void constantsOfNoKnownNameAreRefused() {
+    writeForeignParts(folder_.path("strange.exr"),
+                      {{.name = "chromophores", .channels = kFive, .version = 1},
+                       {.name = "state", .channels = {"state"}, .value = 0.0f},
+                       {.name = "constants", .channels = {"temperature"}}});
+    EXPECT_ERROR(read(folder_.path("strange.exr")), "neither a channel 'oxygenation'");
+    writeForeignParts(folder_.path("deviating.exr"),
+                      {{.name = "chromophores", .channels = kFive, .version = 1},
+                       {.name = "state", .channels = {"state"}, .value = 0.0f},
+                       {.name = "constants", .channels = {"oxygenation"}},
+                       {.name = "constants_deviation", .channels = {"thickness_mm"}}});
+    EXPECT_ERROR(read(folder_.path("deviating.exr")), "has no channel 'oxygenation'");
   }
 
   // Other programs see the parts and channels that the documentation promises.
