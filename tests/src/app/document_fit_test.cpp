@@ -226,7 +226,7 @@ class DocumentFitTest : public QObject {
     EXPECT_OK(known);
     QVERIFY(known.value() != nullptr);
     ChromophoreNetwork network = *known.value();
-    network.profile = fingerprint(model.value()->profile());
+    network.profile = signatureOf(model.value()->profile());
     document_.useNetwork(std::make_shared<const ChromophoreNetwork>(network), foreign_);
     waitUntilFitted();
     QVERIFY(document_.fitChoice() == (FitChoice{foreign_, FitMethod::network, false}));
