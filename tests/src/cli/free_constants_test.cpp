@@ -11,6 +11,9 @@
 namespace cutis::test {
 namespace {
 
+constexpr char kOptions[] =
+    " --profile li2024 --free oxygenation --deviation --noise 0.00001,0.0005";
+
 // Seven narrow lights in front of a camera of three broad curves; noise of its own.
 void writeRig(const ProgramRun& run) {
   const auto tableOf = [](const std::string& head, const auto& row) {
@@ -63,9 +66,7 @@ class FreeConstantsTest : public QObject {
     truth.maps.constants[kOxygenation] = planeOf(40, 24, std::vector<float>(960, 0.45f));
     EXPECT_OK(writeMaps(run_ / "truth.exr", truth, {}));
     EXPECT_DONE(run_.run("simulate truth.exr --rig rig.json --noise 0 -o cap"));
-    EXPECT_DONE(
-        run_.run("fit cap -o maps.exr --profile li2024 --free oxygenation --deviation "
-                 "--report fit.json"));
+    EXPECT_DONE(run_.run(QString("fit cap -o maps.exr --report fit.json") + kOptions));
   }
 
   void theConstantComesBack() {
@@ -84,9 +85,7 @@ class FreeConstantsTest : public QObject {
   }
 
   void threadsChangeNothing() {
-    EXPECT_DONE(
-        run_.run("fit cap -o one.exr --profile li2024 --free oxygenation --deviation "
-                 "--threads 1"));
+    EXPECT_DONE(run_.run(QString("fit cap -o one.exr --threads 1") + kOptions));
     QVERIFY(run_.read("one.exr") == run_.read("maps.exr"));
   }
 
