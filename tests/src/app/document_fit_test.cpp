@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "src/app/albedo_export.h"
+#include "core/skin/profile_signature.h"
 #include "src/app/document.h"
 #include "src/files/resources.h"
 #include "tests/support/expect.h"

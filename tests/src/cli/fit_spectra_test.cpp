@@ -95,7 +95,7 @@ class FitSpectraTest : public QObject {
   void whatCannotBeFreeIsRefused_data() {
     QTest::addColumn<QString>("names");
     QTest::addColumn<QString>("part");
-    QTest::newRow("unknown") << "water" << "'water' cannot be found from spectra";
+    QTest::newRow("unknown") << "water" << "'water' cannot be found by a fit";
     QTest::newRow("twice") << "thickness,thickness" << "'thickness' is there twice";
   }
   void whatCannotBeFreeIsRefused() {
