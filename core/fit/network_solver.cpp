@@ -83,7 +83,7 @@ std::string trainingCommand(const Profile& profile, const Rig& rig) {
   std::string lights;
   for (const RigLight& light : rig.lights)
     lights += (lights.empty() ? "" : ",") + light.name;
-  return "cutis-cli train --rig " + rig.name + " --lights " + lights + " --profile " +
+  return "cutis-cli train --rig " + (rig.file.empty() ? rig.name : rig.file) + " --lights " + lights + " --profile " +
          profile.name + " -o WEIGHTS.json";
 }
 

@@ -35,8 +35,12 @@ T activated(Activation activation, T x) {
   return x;
 }
 
-bool allFinite(const std::vector<float>& values) {
-  return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
+// Far beyond what training leads to: what is larger is damaged, and its products overflow.
+constexpr float kLargestWeight = 1e7f;
+
+bool allSound(const std::vector<float>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](float v) { return std::abs(v) <= kLargestWeight; });
 }
 
 std::string layerName(std::size_t index) {
@@ -57,8 +61,10 @@ Status validateLayer(const DenseLayer& layer, std::size_t index, const std::stri
                                  std::to_string(layer.weights.size()) + " and " +
                                  std::to_string(layer.bias.size()));
   }
-  if (!allFinite(layer.weights) || !allFinite(layer.bias)) {
-    return inputError(place, layerName(index) + " has a weight that is not a finite number");
+  if (!allSound(layer.weights) || !allSound(layer.bias)) {
+    return inputError(place, layerName(index) +
+                                 " has a weight that is not a finite number below 1e7; train the "
+                                 "network anew");
   }
   return {};
 }

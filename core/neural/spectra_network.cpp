@@ -90,8 +90,14 @@ Status validate(const SpectraNetwork& network, const std::string& place) {
                       "the network does not lead from five parameters to the weights of its "
                       "components");
   }
-  if (!network.components.allFinite() || !network.mean.allFinite()) {
-    return inputError(place, "the components have a value that is not a finite number");
+  // Components are of length 1, and a mean of reflectances lies between 0 and 1.
+  constexpr double kLargest = 1.01;
+  const bool sound = (network.components.array().abs() <= kLargest).all() &&
+                     (network.mean.abs() <= kLargest).all();
+  if (!sound) {
+    return inputError(place,
+                      "the mean or the components have a value that none of spectra has; train the "
+                      "network anew");
   }
   return {};
 }

@@ -57,6 +57,7 @@ inline constexpr int kMaximumLights = 10;
 
 struct Rig {
   std::string name;
+  std::string file;  // that it was read from; empty: it is built in
   Camera camera;
   std::vector<RigLight> lights;
   NoiseModel noise;

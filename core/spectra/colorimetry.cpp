@@ -49,11 +49,18 @@ SpectrumRows tristimulusRows(const Spectrum& light, const Sensor& observer) {
 }
 
 SpectrumRows channelRows(const Spectrum& light, const Sensor& camera) {
+  // The far tail of a light at the end of what the camera sees is no measurement.
+  constexpr double kVanishing = 1e-9;
+  const double most = light.sum() * camera.sensitivity.maxCoeff();
   SpectrumRows rows(3, kSampleCount);
   for (int c = 0; c < 3; ++c) {
     rows.row(c) = camera.sensitivity.row(c) * light.transpose();
     const double sum = rows.row(c).sum();
-    if (sum > 0.0) rows.row(c) /= sum;
+    if (sum > kVanishing * most) {
+      rows.row(c) /= sum;
+    } else {
+      rows.row(c).setZero();
+    }
   }
   return rows;
 }

@@ -22,7 +22,7 @@ Eigen::Vector3d whitePoint(const Spectrum& light, const Sensor& observer);
 SpectrumRows tristimulusRows(const Spectrum& light, const Sensor& observer);
 
 // The three channels of a camera under a light, each 1 for a perfect diffuser; a channel that sees
-// nothing is all zero.
+// nothing, or less than 1e-9 of the light, is all zero.
 SpectrumRows channelRows(const Spectrum& light, const Sensor& camera);
 
 // Linear Rec.709 to XYZ and back, for a given white: RGB (1, 1, 1) is exactly that white. With the

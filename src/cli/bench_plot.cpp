@@ -20,14 +20,14 @@ namespace {
 
 using namespace plot_style;
 
-constexpr double kWidth = 920.0, kHeight = 852.0;
+constexpr double kWidth = 920.0;
 constexpr Box kPlot = {78.0, 104.0, 896.0, 436.0};
 constexpr Box kPanels = {24.0, 504.0, 896.0, 738.0};
 constexpr double kDisc = 5.5;
 constexpr double kSquare = 5.0;  // half of its side
 constexpr double kRoom = 1.6;    // factor between the outermost points and the edges, at least
 
-constexpr double kNoteLine = 15.0;
+constexpr double kNotesTop = kPanels.bottom + 26.0, kNoteLine = 15.0;
 
 struct PlotPoint {
   std::string label;
@@ -202,25 +202,30 @@ std::vector<std::string> wrapped(const std::string& words, double size, double w
   return lines;
 }
 
-void drawNotes(Drawing& drawing, const BenchFigures& figures) {
+// What stands below the panels, as lines.
+std::vector<std::string> notesOf(const BenchFigures& figures) {
   const std::string processor = figures.processor.empty() ? "unknown processor" : figures.processor;
-  const std::string machine = "Measured on " + processor + ", " + figures.instructionSet + ", " +
-                              std::to_string(figures.threads) +
-                              (figures.threads == 1 ? " thread" : " threads") +
-                              "; the paper's times on a Titan X. Profile " + figures.profile +
-                              ", rig " + figures.rig + ", cutis " + figures.version + ".";
-  const std::string scaled = "Exhaustive searches are scaled from " +
-                             std::to_string(figures.subsample) +
-                             " pixels. Memory is what the fit holds besides the photographs.";
   std::vector<std::string> notes = noiseRemarks(figures);
-  notes.push_back(machine);
-  notes.push_back(scaled);
-  double y = kPanels.bottom + 26.0;
+  notes.push_back("Measured on " + processor + ", " + figures.instructionSet + ", " +
+                  std::to_string(figures.threads) +
+                  (figures.threads == 1 ? " thread" : " threads") +
+                  "; the paper's times on a Titan X. Profile " + figures.profile + ", rig " +
+                  figures.rig + ", cutis " + figures.version + ".");
+  notes.push_back("Exhaustive searches are scaled from " + std::to_string(figures.subsample) +
+                  " pixels. Memory is what the fit holds besides the photographs.");
+  std::vector<std::string> lines;
   for (const std::string& note : notes) {
-    for (const std::string& line : wrapped(note, kNote.size, kPanels.right - kPanels.left)) {
-      drawing.text({kPanels.left, y}, line, kNote, Anchor::start);
-      y += kNoteLine;
-    }
+    const auto more = wrapped(note, kNote.size, kPanels.right - kPanels.left);
+    lines.insert(lines.end(), more.begin(), more.end());
+  }
+  return lines;
+}
+
+void drawNotes(Drawing& drawing, const std::vector<std::string>& lines) {
+  double y = kNotesTop;
+  for (const std::string& line : lines) {
+    drawing.text({kPanels.left, y}, line, kNote, Anchor::start);
+    y += kNoteLine;
   }
 }
 
@@ -228,8 +233,10 @@ void drawNotes(Drawing& drawing, const BenchFigures& figures) {
 
 Drawing benchPlot(const BenchFigures& figures) {
   const auto points = pointsOf(figures);
-  Drawing drawing(kWidth, kHeight, "Run time against error", described(points));
-  drawing.rectangle({0.5, 0.5, kWidth - 0.5, kHeight - 0.5}, kGround, {kGridColor, 1.0, ""}, 6.0);
+  const auto notes = notesOf(figures);
+  const double height = kNotesTop + kNoteLine * static_cast<double>(notes.size()) + 2.0;
+  Drawing drawing(kWidth, height, "Run time against error", described(points));
+  drawing.rectangle({0.5, 0.5, kWidth - 0.5, height - 0.5}, kGround, {kGridColor, 1.0, ""}, 6.0);
   drawing.text({kPanels.left, 32.0}, "Run time against error", kHeading, Anchor::start);
   drawing.text({kPanels.left, 51.0},
                "Fits of simulated photographs under three lights; the lower left corner is best",
@@ -241,7 +248,7 @@ Drawing benchPlot(const BenchFigures& figures) {
   const auto taken = drawBound(drawing, figures, y);
   drawPoints(drawing, points, x, y, taken);
   drawPicturePanels(drawing, kPanels, figures);
-  drawNotes(drawing, figures);
+  drawNotes(drawing, notes);
   return drawing;
 }
 

@@ -41,6 +41,14 @@ Result<std::vector<RigLight>> candidateLights() {
   return lights;
 }
 
+// Whether most of a light lies where the camera sees; beyond, its curves say nothing.
+bool isInSight(const RigLight& light, const Camera& camera) {
+  constexpr double kBlind = 1e-3;  // of its largest sensitivity
+  const Eigen::ArrayXd sees = camera.sensor.sensitivity.colwise().maxCoeff().transpose();
+  const double seen = (sees > kBlind * sees.maxCoeff()).select(light.power, 0.0).sum();
+  return seen > 0.5 * light.power.sum();
+}
+
 ChannelSet channelsOf(const Rig& rig) {
   return {responseRows(rig), rig.noise.isExact() ? NoiseModel() : rig.noise, {}};
 }
@@ -77,7 +85,8 @@ void compareNoises(const Rig& rig, const IdentifiabilityStudy& study, RigFigures
 // How much is left open of everything: the mean logarithm over the parameters.
 double uncertaintyOf(const Identifiability& result) {
   double sum = 0.0;
-  for (const Spread& spread : result.left) sum += std::log(spread.median);
+  for (const Spread& spread : result.left)
+    sum += std::log(spread.median);
   return sum;
 }
 
@@ -88,11 +97,9 @@ Status compareLights(const Rig& rig, const IdentifiabilityStudy& study, const Jo
   for (const RigLight& light : candidates) {
     if (context.stopRequested()) return Cancelled{};
     context.progress.report(done++ / static_cast<double>(candidates.size()));
+    if (!isInSight(light, rig.camera)) continue;
     Rig more = rig;
     more.lights.push_back(light);
-    const SpectrumRows rows = responseRows(more);
-    // A light that the camera does not see is no help.
-    if (!(rows.bottomRows(3) != 0.0).any()) continue;
     figures.lights.push_back({light.name, study.of(channelsOf(more))});
   }
   std::stable_sort(figures.lights.begin(), figures.lights.end(), [](const auto& a, const auto& b) {
@@ -108,8 +115,10 @@ std::string percent(double share) {
 
 std::string tableOf(const std::string& heading, const std::vector<MeasurementFigures>& rows) {
   std::vector<std::string> head = {heading};
-  for (const Parameter parameter : kParameters) head.emplace_back(parameterSymbol(parameter));
-  for (const char* band : {"vis", "UV", "NIR"}) head.emplace_back(band);
+  for (const Parameter parameter : kParameters)
+    head.emplace_back(parameterSymbol(parameter));
+  for (const char* band : {"vis", "UV", "NIR"})
+    head.emplace_back(band);
   TextTable table(head);
   for (const MeasurementFigures& row : rows) {
     std::vector<std::string> cells = {row.name};
@@ -130,8 +139,7 @@ std::string tableOf(const std::string& heading, const std::vector<MeasurementFig
 
 Result<RigFigures> identifyRig(const SkinModel& model, const Rig& rig, const Prior& prior,
                                std::size_t people, const JobContext& context) {
-  const auto drawn =
-      drawFromPrior(prior, model.profile().axes, static_cast<int>(people), kSeed);
+  const auto drawn = drawFromPrior(prior, model.profile().axes, static_cast<int>(people), kSeed);
   CUTIS_TRY(study, IdentifiabilityStudy::create(model, prior, drawn, context.child(0.0, 0.1)));
   RigFigures figures;
   figures.rig = rig.name;

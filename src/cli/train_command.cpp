@@ -61,6 +61,7 @@ Result<TrainedNetworks> train(const SkinModel& model, const Rig& rig,
   auto trained = trainNetworks(model, rig, training, state, context,
                                [&](const NetworkEpoch&) { keeper.keep(state, context); });
   if (trained.cancelled()) CUTIS_CHECK(keeper.save(state));
+  if (trained.failed()) return keeper.explained(trained.failure());
   return trained;
 }
 

@@ -14,7 +14,7 @@ TrainingKeeper::TrainingKeeper(std::filesystem::path path, std::string command,
                                std::string identity)
     : path_(std::move(path)), command_(std::move(command)), identity_(std::move(identity)) {}
 
-Result<NetworkTrainingState> TrainingKeeper::load() const {
+Result<NetworkTrainingState> TrainingKeeper::load() {
   std::error_code ignored;
   if (path_.empty() || !std::filesystem::exists(path_, ignored)) return NetworkTrainingState{};
   CUTIS_TRY(file, readTraining(path_));
@@ -27,7 +27,14 @@ Result<NetworkTrainingState> TrainingKeeper::load() const {
                       "the rig, the profile or the program has changed since this training was "
                       "interrupted; delete the file to start anew");
   }
+  resumed_ = true;
   return std::move(file.state);
+}
+
+Failure TrainingKeeper::explained(const Failure& failure) const {
+  const auto* error = std::get_if<Error>(&failure);
+  if (!resumed_ || error == nullptr || error->kind != ErrorKind::input) return failure;
+  return inputError(path_.string(), "no training goes on from this state; delete it to start anew");
 }
 
 void TrainingKeeper::keep(const NetworkTrainingState& state, const JobContext& context) {

@@ -22,7 +22,10 @@ class TrainingKeeper {
 
   // What an interrupted training of the same command left behind, or a fresh state. Fails if the
   // file is of another training or damaged.
-  Result<NetworkTrainingState> load() const;
+  Result<NetworkTrainingState> load();
+
+  // An error of the training itself: of a state that was loaded, with its file and what to do.
+  Failure explained(const Failure& failure) const;
 
   // After each epoch: writes the first, and then if the last time was some seconds ago. A failure
   // is said and does not stop the training.
@@ -37,6 +40,7 @@ class TrainingKeeper {
   std::string command_;
   std::string identity_;
   std::optional<std::chrono::steady_clock::time_point> written_;
+  bool resumed_ = false;
 };
 
 }  // namespace cutis

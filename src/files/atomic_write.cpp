@@ -67,6 +67,10 @@ Status checkWritable(const fs::path& path) {
   if (isFolder) {
     return resourceError(path.string(), "this is a folder; name a file to write");
   }
+  // A device or a pipe would be replaced by a file of its name.
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+    return resourceError(path.string(), "this is no ordinary file; name another to write");
+  }
   if (!folderIsWritable(folder)) {
     return resourceError(path.string(), "the folder '" + folder.string() +
                                             "' cannot be written to; write elsewhere");

@@ -107,7 +107,9 @@ Result<Rig> loadRig(const std::string& nameOrPath, const std::string& folder,
   }
   const fs::path path = fs::path(folder) / nameOrPath;
   CUTIS_TRY(root, readJson(path));
-  return parseRig(root, path.parent_path());
+  CUTIS_TRY(rig, parseRig(root, path.parent_path()));
+  rig.file = path.string();
+  return std::move(rig);
 }
 
 }  // namespace cutis

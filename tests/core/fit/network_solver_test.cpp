@@ -119,9 +119,12 @@ class NetworkSolverTest : public QObject {
 
   void overflowIsToldAndNotWritten() {
     ChromophoreNetwork network = shippedNetwork();
-    for (DenseLayer& layer : network.network.layers) {
+    std::vector<DenseLayer>& layers = network.network.layers;
+    const DenseLayer middle = layers[1];
+    layers.insert(layers.begin() + 1, 5, middle);
+    for (DenseLayer& layer : layers) {
       for (std::size_t i = 0; i < layer.weights.size(); ++i)
-        layer.weights[i] = i % 2 == 0 ? 3e38f : -3e38f;
+        layer.weights[i] = i % 2 == 0 ? 1e7f : -9e6f;
     }
     EXPECT_OK(validate(network, "network"));
     const auto solver =

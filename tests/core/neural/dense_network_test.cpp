@@ -93,6 +93,8 @@ class DenseNetworkTest : public QObject {
     network = example();
     network.layers[2].bias[1] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_ERROR(validate(network, "weights"), "layer 3 has a weight that is not a finite number");
+    network.layers[2].bias[1] = 1e30f;
+    EXPECT_ERROR(validate(network, "weights"), "layer 3 has a weight that is not a finite number");
     network = example();
     network.layers.erase(network.layers.begin() + 1);
     EXPECT_ERROR(validate(network, "weights"), "layer 2 has 4 inputs");

@@ -72,6 +72,20 @@ class ColorimetryTest : public QObject {
     QVERIFY((rows.row(2) == 0.0).all());
   }
 
+  // The tail of a light far from what the camera sees is no measurement.
+  void channelsOutOfSightSeeNothing() {
+    const auto narrow = [](double middleNm) {
+      Spectrum light;
+      for (int i = 0; i < kSampleCount; ++i) {
+        const double away = (kFirstWavelengthNm + i * kWavelengthStepNm - middleNm) / 12.0;
+        light[i] = std::exp(-away * away);
+      }
+      return light;
+    };
+    QVERIFY((channelRows(narrow(960.0), test::cie1931()) == 0.0).all());
+    EXPECT_NEAR(channelRows(narrow(650.0), test::cie1931()).row(0).sum(), 1.0, 1e-14);
+  }
+
   // IEC 61966-2-1:1999, annex F.
   void rec709IsTheStandardMatrix() {
     Matrix3d published;

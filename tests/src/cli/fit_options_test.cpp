@@ -95,6 +95,10 @@ class FitOptionsTest : public QObject {
       return away / all;
     };
     EXPECT_AT_MOST(melaninAway("told.exr"), 0.02);
+    const Outcome dark = run_.run("fit shiny -o dark.exr --specular included --specular-share 0.5");
+    QCOMPARE(dark.status, 0);
+    QVERIFY2(dark.errors.find("smaller --specular-share") != std::string::npos,
+             dark.errors.c_str());
     QVERIFY(melaninAway("untold.exr") > 0.1);
 
     // The edited albedo of what lies below: the same whether it is fitted now or was before.
@@ -122,6 +126,9 @@ class FitOptionsTest : public QObject {
     for (const char* part : {"all, 9 channels", "r, g, b, sb, sg", "0.5 %", "one more light"}) {
       QVERIFY2(told.output.find(part) != std::string::npos, part);
     }
+    // Its camera's curves end at 780 nm.
+    for (const char* unseen : {"820 nm", "880 nm", "960 nm"})
+      QVERIFY2(told.output.find(unseen) == std::string::npos, unseen);
     QVERIFY(run_.read("rig.svg").starts_with("<svg") || run_.read("rig.svg").starts_with("<?xml"));
     EXPECT_DONE(run_.run("rig identify --people 20 --rig albedo --profile skin2026"));
     for (const auto& [line, sentence] : {std::pair{"rig", "ACTION"},

@@ -82,6 +82,15 @@ class TrainTest : public QObject {
     const Outcome cut = run_.run(line + " -o gone_on.json");
     QVERIFY2(isOneError(cut.errors) && cut.errors.find("state.json") != std::string::npos,
              cut.errors.c_str());
+    // A state that reads well and leads nowhere: the file is named, and what to do with it.
+    std::string wrong = state;
+    const auto steps = wrong.find("\"steps\":") + 8;
+    wrong.insert(steps, "9");
+    run_.write("state.json", wrong);
+    const Outcome astray = run_.run(line + " -o gone_on.json");
+    QVERIFY2(isOneError(astray.errors) && astray.errors.find("state.json") != std::string::npos &&
+                 astray.errors.find("delete it") != std::string::npos,
+             astray.errors.c_str());
     run_.write("state.json", state);
     EXPECT_DONE(run_.run(line + " -o gone_on.json"));
     QVERIFY(run_.read("gone_on.json") == run_.read("whole.json"));

@@ -33,6 +33,13 @@ class AtomicWriteTest : public QObject {
     QVERIFY((folder.names() == std::vector<std::string>{"a.txt", "empty.txt"}));
   }
 
+  // A device would be replaced by a file of its name.
+  void devicesAreLeftAlone() {
+    if (!fs::exists("/dev/null")) QSKIP("no devices that are files here");
+    EXPECT_ERROR(writeTextAtomically("/dev/null", "text"), "no ordinary file");
+    QVERIFY(fs::is_character_file("/dev/null"));
+  }
+
   // Writers choose their format by the extension.
   void theTemporaryLooksLikeTheFile() {
     const test::ScratchFolder folder;
