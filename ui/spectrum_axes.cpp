@@ -100,13 +100,15 @@ void SpectrumAxes::drawWavelengths(QPainter& painter, std::optional<double> mark
   };
   QRectF frame;
   if (marked) frame = placeOf(*marked, withUnit(*marked), theme::kHalfSpace);
+  const QRectF last = placeOf(kLastWavelengthNm, withUnit(kLastWavelengthNm), 0);
   for (int nm = kFirstWavelengthNm; nm <= kLastWavelengthNm; nm += kTickNm) {
     const QPointF foot = pointAt(nm, 0);
     painter.setPen(tones.line);
     painter.drawLine(foot, foot + QPointF(0, theme::kHalfSpace));
     const QString text = nm == kLastWavelengthNm ? withUnit(nm) : QString::number(nm);
     const QRectF place = placeOf(nm, text, 0);
-    if (place.intersects(frame)) continue;
+    // In a narrow plot the last number, which has the unit, stands where its neighbour would.
+    if (place.intersects(frame) || (nm != kLastWavelengthNm && place.intersects(last))) continue;
     painter.setPen(tones.dimText);
     painter.drawText(place, Qt::AlignCenter, text);
   }
