@@ -32,7 +32,8 @@ int main(int argc, char** argv) {
     table += "    {\"" + std::filesystem::relative(path, root).generic_string() + "\", " + symbol +
              ", " + std::to_string(bytes.size()) + "},\n";
   }
-  out << "\nconst ResourceData kResourceData[] = {\n" << table << "};\n"
+  out << "\nconst ResourceData kResourceData[] = {\n"
+      << table << "};\n"
       << "const unsigned kResourceCount = " << argc - 3 << ";\n\n}  // namespace cutis\n";
   return out.good() ? 0 : 1;
 }

@@ -32,16 +32,14 @@ MatrixXd seeing(const ChannelSet& channels) {
 }
 
 // Jᵀ Σ⁻¹ J.
-ParameterMatrix informationOf(const MatrixXd& j, const VectorXd& channels,
-                              const ChannelSet& set) {
-  const VectorXd variance = (channels.array() * set.noise.proportional).square() +
-                            set.noise.read * set.noise.read;
+ParameterMatrix informationOf(const MatrixXd& j, const VectorXd& channels, const ChannelSet& set) {
+  const VectorXd variance =
+      (channels.array() * set.noise.proportional).square() + set.noise.read * set.noise.read;
   if (set.combination.size() == 0) {
     return j.transpose() * variance.cwiseInverse().asDiagonal() * j;
   }
   const MatrixXd combined = set.combination * j;
-  const MatrixXd covariance =
-      set.combination * variance.asDiagonal() * set.combination.transpose();
+  const MatrixXd covariance = set.combination * variance.asDiagonal() * set.combination.transpose();
   return combined.transpose() * covariance.ldlt().solve(combined);
 }
 
@@ -104,8 +102,7 @@ Identifiability IdentifiabilityStudy::of(const ChannelSet& channels) const {
   for (std::size_t i = 0; i < reflectances_.size(); ++i) {
     const MatrixXd j = rows * derivatives_[i];
     const ParameterMatrix covariance = covarianceOf(
-        priorPrecision_ + informationOf(j, rows * reflectances_[i].matrix(), set),
-        priorDeviation_);
+        priorPrecision_ + informationOf(j, rows * reflectances_[i].matrix(), set), priorDeviation_);
     for (int k = 0; k < kParameterCount; ++k) {
       const double share = std::sqrt(covariance(k, k)) / priorDeviation_[k];
       left[static_cast<std::size_t>(k)].push_back(share);
@@ -115,7 +112,8 @@ Identifiability IdentifiabilityStudy::of(const ChannelSet& channels) const {
     result.ultraviolet += meanVariance(derivatives_[i], covariance, kUltravioletBand) / count;
     result.nearInfrared += meanVariance(derivatives_[i], covariance, kNearInfraredBand) / count;
   }
-  for (std::size_t k = 0; k < left.size(); ++k) result.left[k] = spreadOf(std::move(left[k]));
+  for (std::size_t k = 0; k < left.size(); ++k)
+    result.left[k] = spreadOf(std::move(left[k]));
   for (double* mean : {&result.visible, &result.ultraviolet, &result.nearInfrared}) {
     *mean = std::sqrt(*mean);
   }

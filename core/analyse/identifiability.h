@@ -3,8 +3,8 @@
 // What a rig can tell apart: how far a measurement narrows what is known of a person's skin.
 //
 // For each person the posterior covariance C = (Jᵀ Σ⁻¹ J + P⁻¹)⁻¹ of the coordinates (logarithms
-// where the prior has them), J the channels' derivatives, Σ the noise, P the prior's covariance; and
-// what it leaves open of the spectrum, diag(G C Gᵀ) (FITTING.md, error protocol). Thread-safe.
+// where the prior has them), J the channels' derivatives, Σ the noise, P the prior's covariance;
+// and what it leaves open of the spectrum, diag(G C Gᵀ) (FITTING.md, error protocol). Thread-safe.
 
 #include <array>
 #include <span>
@@ -15,8 +15,8 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
-#include "core/skin/prior.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/skin_model.h"
+#include "core/skin/profile/prior.h"
 
 namespace cutis {
 

@@ -1,7 +1,6 @@
 #include "core/base/content_hash.h"
 
 #include <cstdint>
-
 #include <xxhash.h>
 
 namespace cutis {
@@ -10,7 +9,9 @@ struct ContentHash::State {
   XXH3_state_t* xxh = XXH3_createState();
 };
 
-ContentHash::ContentHash() : state_(new State) { XXH3_128bits_reset(state_->xxh); }
+ContentHash::ContentHash() : state_(new State) {
+  XXH3_128bits_reset(state_->xxh);
+}
 
 ContentHash::~ContentHash() {
   XXH3_freeState(state_->xxh);
@@ -29,7 +30,9 @@ ContentHash& ContentHash::add(std::string_view text) {
   return *this;
 }
 
-ContentHash& ContentHash::add(double value) { return add(std::span<const double>(&value, 1)); }
+ContentHash& ContentHash::add(double value) {
+  return add(std::span<const double>(&value, 1));
+}
 
 ContentHash& ContentHash::add(std::span<const double> values) {
   return add(std::as_bytes(values));

@@ -40,12 +40,14 @@ std::uint16_t halfFromFloat(float value) {
 
 void convertHalfToFloat(std::span<const std::uint16_t> from, std::span<float> to) {
   assert(from.size() == to.size());
-  for (std::size_t i = 0; i < from.size(); ++i) to[i] = floatFromHalf(from[i]);
+  for (std::size_t i = 0; i < from.size(); ++i)
+    to[i] = floatFromHalf(from[i]);
 }
 
 void convertFloatToHalf(std::span<const float> from, std::span<std::uint16_t> to) {
   assert(from.size() == to.size());
-  for (std::size_t i = 0; i < from.size(); ++i) to[i] = halfFromFloat(from[i]);
+  for (std::size_t i = 0; i < from.size(); ++i)
+    to[i] = halfFromFloat(from[i]);
 }
 
 }  // namespace cutis

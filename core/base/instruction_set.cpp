@@ -46,8 +46,8 @@ Status pinInstructionSet(const std::string& name) {
     }
     known += known.empty() ? entry.name : std::string(", ") + entry.name;
   }
-  return usageError("CUTIS_ISA",
-                    "unknown instruction set '" + name + "'; use one of " + known + " or leave it unset");
+  return usageError("CUTIS_ISA", "unknown instruction set '" + name + "'; use one of " + known +
+                                     " or leave it unset");
 }
 
 }  // namespace cutis

@@ -54,6 +54,8 @@ Status parallelFor(std::size_t count, const JobContext& context,
   return {};
 }
 
-int parallelThreadCount() { return tbb::this_task_arena::max_concurrency(); }
+int parallelThreadCount() {
+  return tbb::this_task_arena::max_concurrency();
+}
 
 }  // namespace cutis

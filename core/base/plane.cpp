@@ -106,10 +106,18 @@ Plane::Plane(int width, int height, PixelFormat format, std::shared_ptr<TileStor
   pixels_ = std::make_shared<Pixels>(width, height, format, std::move(store));
 }
 
-int Plane::width() const { return pixels_ ? pixels_->width : 0; }
-int Plane::height() const { return pixels_ ? pixels_->height : 0; }
-PixelFormat Plane::format() const { return pixels_ ? pixels_->format : PixelFormat::float32; }
-int Plane::tileCount() const { return pixels_ ? pixels_->tilesAcross * pixels_->tilesDown : 0; }
+int Plane::width() const {
+  return pixels_ ? pixels_->width : 0;
+}
+int Plane::height() const {
+  return pixels_ ? pixels_->height : 0;
+}
+PixelFormat Plane::format() const {
+  return pixels_ ? pixels_->format : PixelFormat::float32;
+}
+int Plane::tileCount() const {
+  return pixels_ ? pixels_->tilesAcross * pixels_->tilesDown : 0;
+}
 
 Rect Plane::tileRect(int index) const {
   const int x0 = index % pixels_->tilesAcross * kTileSize;

@@ -111,18 +111,18 @@ inline Error resourceError(std::string place, std::string message) {
 
 // CUTIS_TRY(name, expression): evaluates a Result; on failure returns it from the enclosing
 // function, otherwise binds its value to `name`.
-#define CUTIS_TRY(name, ...)                             \
-  auto name##_result = (__VA_ARGS__);                    \
-  if (!name##_result) return name##_result.failure();    \
+#define CUTIS_TRY(name, ...)                          \
+  auto name##_result = (__VA_ARGS__);                 \
+  if (!name##_result) return name##_result.failure(); \
   auto& name = name##_result.value()
 
 // CUTIS_CHECK(expression): the same for a Status.
-#define CUTIS_CHECK(...)                                             \
-  do {                                                               \
-    auto CUTIS_UNIQUE(cutis_status_) = (__VA_ARGS__);                \
-    if (!CUTIS_UNIQUE(cutis_status_)) {                              \
-      return CUTIS_UNIQUE(cutis_status_).failure();                  \
-    }                                                                \
+#define CUTIS_CHECK(...)                              \
+  do {                                                \
+    auto CUTIS_UNIQUE(cutis_status_) = (__VA_ARGS__); \
+    if (!CUTIS_UNIQUE(cutis_status_)) {               \
+      return CUTIS_UNIQUE(cutis_status_).failure();   \
+    }                                                 \
   } while (false)
 
 // A name per line, so that a check may stand in a lambda inside another.

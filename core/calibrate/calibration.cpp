@@ -7,8 +7,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/calibrate/fitted_people.h"
 #include "core/calibrate/point_model.h"
-#include "core/calibrate/spectra_people.h"
 
 namespace cutis {
 namespace {
@@ -18,15 +18,15 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMaximumRounds = 40;
-// Converged: a step lowered the sum by less than this share. The layer tables of two points differ in
-// what they leave out, so that the sum is not smooth below that.
+// Converged: a step lowered the sum by less than this share. The layer tables of two points differ
+// in what they leave out, so that the sum is not smooth below that.
 constexpr double kRelativeGain = 5e-4;
 // Nor does it matter by how little errors a thousand times below their aims fall.
 constexpr double kAbsoluteGain = 1e-6;
 constexpr int kMaximumAttempts = 8;
 constexpr double kFirstDamping = 1e-3;
-// Of a constant's range. The layer tables of two points differ by up to 1e-5 in what they leave out,
-// which shorter steps would take for a derivative.
+// Of a constant's range. The layer tables of two points differ by up to 1e-5 in what they leave
+// out, which shorter steps would take for a derivative.
 constexpr double kDerivativeStep = 5e-3;
 constexpr double kLongestStep = 0.3;
 
@@ -40,7 +40,9 @@ std::vector<int> allSamples(const CalibrationProblem& problem) {
   return samples;
 }
 
-bool isSlight(double gain, double cost) { return gain < kRelativeGain * cost + kAbsoluteGain; }
+bool isSlight(double gain, double cost) {
+  return gain < kRelativeGain * cost + kAbsoluteGain;
+}
 
 // Coordinates are the constants' places in their ranges, 0 to 1.
 class Calibrator {
@@ -200,7 +202,8 @@ class Calibrator {
       hessian(k, k) = 1.0;
       downhill[k] = 0.0;
     }
-    const VectorXd step = hessian.ldlt().solve(downhill).cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
+    const VectorXd step =
+        hessian.ldlt().solve(downhill).cwiseMax(-kLongestStep).cwiseMin(kLongestStep);
     return (current_.x + step).cwiseMax(0.0).cwiseMin(1.0);
   }
 
@@ -215,8 +218,7 @@ class Calibrator {
 SpectraSet selected(const SpectraSet& set, std::span<const std::size_t> spectra) {
   SpectraSet some = {set.samples, Eigen::ArrayXXd(set.measured.rows(), spectra.size()), set.aims};
   for (std::size_t i = 0; i < spectra.size(); ++i) {
-    some.measured.col(static_cast<Index>(i)) =
-        set.measured.col(static_cast<Index>(spectra[i]));
+    some.measured.col(static_cast<Index>(i)) = set.measured.col(static_cast<Index>(spectra[i]));
   }
   return some;
 }

@@ -25,8 +25,8 @@
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
-#include "core/skin/measurement_geometry.h"
-#include "core/skin/profile.h"
+#include "core/skin/model/measurement_geometry.h"
+#include "core/skin/profile/profile.h"
 
 namespace cutis {
 
@@ -42,8 +42,8 @@ struct SpectralAim {
 
 // Spectra that were measured alike, finite.
 struct SpectraSet {
-  std::vector<int> samples;   // increasing positions on the grid
-  Eigen::ArrayXXd measured;   // [sample][spectrum]
+  std::vector<int> samples;  // increasing positions on the grid
+  Eigen::ArrayXXd measured;  // [sample][spectrum]
   std::vector<SpectralAim> aims;
 
   Eigen::Index count() const { return measured.cols(); }
@@ -84,8 +84,8 @@ struct Calibration {
 };
 
 // From a start within the bounds. Preconditions: as stated above; each set has spectra and at least
-// kParameterCount samples in the fitted range. Cancelled if asked to. About 1 s a round and thousand
-// spectra on one core, and what the layer tables of a round take.
+// kParameterCount samples in the fitted range. Cancelled if asked to. About 1 s a round and
+// thousand spectra on one core, and what the layer tables of a round take.
 Result<Calibration> calibrate(const CalibrationProblem& problem, const std::vector<double>& start,
                               const JobContext& context);
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/skin/absorption.h"
+#include "core/skin/profile/absorption.h"
 
 namespace cutis {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The model of one choice of constants, at the wavelengths of a calibration alone: the inner part of
-// core/calibrate/calibration.cpp.
+// The model of one choice of constants, at the wavelengths of a calibration alone: the inner part
+// of core/calibrate/calibration.cpp.
 
 #include <memory>
 #include <span>
@@ -10,9 +10,9 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/calibrate/calibration.h"
-#include "core/skin/layer_table.h"
-#include "core/skin/measured_model.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/layers/table.h"
+#include "core/skin/model/instrument_model.h"
+#include "core/skin/model/skin_model.h"
 
 namespace cutis {
 
@@ -25,14 +25,14 @@ class PointModel {
                                  const PointModel* like, const JobContext& context);
 
   const SkinModel& skin() const { return *skin_; }
-  const MeasuredModel& asSeenBy(std::size_t set) const { return measured_[set]; }
+  const InstrumentModel& asSeenBy(std::size_t set) const { return measured_[set]; }
 
  private:
   PointModel() = default;
 
   std::shared_ptr<const LayerTable> table_;  // null: diffusion
   std::shared_ptr<const SkinModel> skin_;
-  std::vector<MeasuredModel> measured_;
+  std::vector<InstrumentModel> measured_;
 };
 
 }  // namespace cutis

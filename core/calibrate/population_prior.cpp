@@ -5,7 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/calibrate/fitted_range.h"
-#include "core/fit/map_estimator.h"
+#include "core/fit/reference/map_estimator.h"
 
 namespace cutis {
 namespace {

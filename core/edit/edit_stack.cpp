@@ -53,8 +53,7 @@ bool Edit::isNeutral() const {
 double editedValue(const ParameterEdit& edit, Parameter parameter, const ParameterAxis& axis,
                    double value) {
   if (edit.set) return axis.clamp(*edit.set);
-  const double share =
-      scalesByIndex(parameter) ? axis.index(value) / (axis.samples - 1) : 1.0;
+  const double share = scalesByIndex(parameter) ? axis.index(value) / (axis.samples - 1) : 1.0;
   return axis.clamp(value * (1.0 + (edit.scale - 1.0) * share) + edit.add);
 }
 

@@ -3,16 +3,16 @@
 // Edits of skin by its biology: pure functions from parameters to parameters.
 //
 // An edit changes any of the five parameters of every pixel that has an estimate, blended by a mask
-// and an opacity; a stack applies its edits from first to last. Results are clamped to the profile's
-// ranges.
+// and an opacity; a stack applies its edits from first to last. Results are clamped to the
+// profile's ranges.
 
 #include <array>
 #include <optional>
 #include <vector>
 
 #include "core/base/plane.h"
-#include "core/skin/parameter_axis.h"
 #include "core/skin/parameter_buffer.h"
+#include "core/skin/profile/parameter_axis.h"
 
 namespace cutis {
 

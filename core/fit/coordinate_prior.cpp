@@ -21,7 +21,8 @@ void condition(const std::vector<int>& free, const ParameterVector& away,
     for (Eigen::Index b = 0; b < count; ++b) {
       among(a, b) = precision(i, free[static_cast<std::size_t>(b)]);
     }
-    for (int j = 0; j < kParameterCount; ++j) pull[a] -= precision(i, j) * away[j];
+    for (int j = 0; j < kParameterCount; ++j)
+      pull[a] -= precision(i, j) * away[j];
   }
   const Eigen::MatrixXd covariance = among.llt().solve(Eigen::MatrixXd::Identity(count, count));
   const Eigen::VectorXd shift = covariance * pull;

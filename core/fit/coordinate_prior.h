@@ -1,7 +1,7 @@
 #pragma once
 
-// The prior as an estimate sees it: normal in one coordinate per parameter, its natural logarithm or
-// the parameter itself, with parameters that are held taken out.
+// The prior as an estimate sees it: normal in one coordinate per parameter, its natural logarithm
+// or the parameter itself, with parameters that are held taken out.
 //
 // A held parameter's coordinate is the parameter, since it may be 0; what its value says of the
 // others through the prior's correlations goes into their mean and precision.
@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-#include "core/skin/prior.h"
+#include "core/skin/profile/prior.h"
 
 namespace cutis {
 
@@ -19,10 +19,10 @@ inline constexpr double kSmallestShare = 1e-7;
 struct CoordinatePrior {
   std::array<bool, kParameterCount> isLog = {};
   std::array<bool, kParameterCount> isFixed = {};
-  ParameterVector low, high;   // the box
-  ParameterVector mean;        // of a held parameter: where it is held
-  ParameterMatrix precision;   // no coupling with held parameters
-  ParameterVector deviation;   // of each coordinate by itself
+  ParameterVector low, high;  // the box
+  ParameterVector mean;       // of a held parameter: where it is held
+  ParameterMatrix precision;  // no coupling with held parameters
+  ParameterVector deviation;  // of each coordinate by itself
 
   double coordinate(int parameter, double value) const;
 

@@ -6,8 +6,8 @@
 
 #include "core/base/plane.h"
 #include "core/rig/rig.h"
-#include "core/skin/free_constants.h"
-#include "core/skin/prior.h"
+#include "core/skin/profile/free_constants.h"
+#include "core/skin/profile/prior.h"
 
 namespace cutis {
 
@@ -26,7 +26,7 @@ struct FitOptions {
   // the photographs show pure albedo (refined only, core/fit/shading.h).
   std::optional<double> shading;
   // Constants of the profile that are found for each pixel, too (refined only, without shading;
-  // core/fit/free_solver.h).
+  // core/fit/free/free_solver.h).
   FreeConstants free;
   bool deviations = false;  // posterior standard deviations per value (refined only)
   bool residuals = false;   // measured minus modelled per channel

@@ -7,7 +7,7 @@
 
 #include "core/neural/network_pipeline.h"
 #include "core/skin/pixel_state.h"
-#include "core/skin/profile_signature.h"
+#include "core/skin/profile/profile_signature.h"
 
 namespace cutis {
 namespace {
@@ -83,8 +83,8 @@ std::string trainingCommand(const Profile& profile, const Rig& rig) {
   std::string lights;
   for (const RigLight& light : rig.lights)
     lights += (lights.empty() ? "" : ",") + light.name;
-  return "cutis-cli train --rig " + (rig.file.empty() ? rig.name : rig.file) + " --lights " + lights + " --profile " +
-         profile.name + " -o WEIGHTS.json";
+  return "cutis-cli train --rig " + (rig.file.empty() ? rig.name : rig.file) + " --lights " +
+         lights + " --profile " + profile.name + " -o WEIGHTS.json";
 }
 
 Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Profile& profile,

@@ -40,7 +40,8 @@ class Grouper {
 
   std::size_t hash(std::uint32_t pixel) const {
     std::uint64_t h = 0;
-    for (std::size_t k = 0; k < channelCount_; ++k) h = mixBits(h ^ bits(k, pixel));
+    for (std::size_t k = 0; k < channelCount_; ++k)
+      h = mixBits(h ^ bits(k, pixel));
     return static_cast<std::size_t>(h);
   }
 
@@ -64,7 +65,8 @@ bool sampleRepeats(const float* channels, std::size_t channelCount, std::size_t 
   std::vector<std::uint32_t> representatives;
   // A run of neighbours repeats colours as the whole does, far more often than scattered pixels.
   const std::size_t first = (pixels.size() - kSample) / 2;
-  for (std::size_t i = 0; i < kSample; ++i) grouper.group(pixels[first + i], representatives);
+  for (std::size_t i = 0; i < kSample; ++i)
+    grouper.group(pixels[first + i], representatives);
   return static_cast<double>(representatives.size()) < (1.0 - kWorthwhileShare) * kSample;
 }
 
@@ -76,7 +78,8 @@ PixelGrouping groupEqualPixels(const float* channels, std::size_t channelCount, 
   grouping.groupOf.reserve(pixels.size());
   if (!sampleRepeats(channels, channelCount, stride, pixels)) {
     grouping.representatives = pixels;
-    for (std::uint32_t i = 0; i < pixels.size(); ++i) grouping.groupOf.push_back(i);
+    for (std::uint32_t i = 0; i < pixels.size(); ++i)
+      grouping.groupOf.push_back(i);
     return grouping;
   }
   Grouper grouper(channels, channelCount, stride, pixels.size());

@@ -18,7 +18,8 @@ constexpr int kTries = 64;
 // One draw, as it comes. factor: of the correlation.
 ParameterVector drawOnce(const Prior& prior, const ParameterMatrix& factor, Random& random) {
   ParameterVector normal;
-  for (double& value : normal) value = random.normal();
+  for (double& value : normal)
+    value = random.normal();
   const ParameterVector away = (factor * normal.matrix()).array() * prior.deviation;
   ParameterVector person;
   for (int k = 0; k < kParameterCount; ++k) {
@@ -38,7 +39,8 @@ std::vector<ParameterVector> drawPopulation(const ParameterBox& box, int count,
   Random random(seed);
   std::vector<ParameterVector> people(static_cast<std::size_t>(count));
   for (ParameterVector& p : people) {
-    for (int k = 0; k < kParameterCount; ++k) p[k] = random.uniform(box.low[k], box.high[k]);
+    for (int k = 0; k < kParameterCount; ++k)
+      p[k] = random.uniform(box.low[k], box.high[k]);
   }
   return people;
 }

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/skin/parameter_axis.h"
-#include "core/skin/prior.h"
+#include "core/skin/profile/parameter_axis.h"
+#include "core/skin/profile/prior.h"
 
 namespace cutis {
 
@@ -22,8 +22,9 @@ ParameterBox protocolPopulation();
 std::vector<ParameterVector> drawPopulation(const ParameterBox& box, int count,
                                             unsigned long long seed);
 
-// Drawn again while outside of the axes' ranges. A prior that hardly knows anyone inside is given up
-// on after some tries: then the nearest values inside stand. Precondition: validate(prior) passed.
+// Drawn again while outside of the axes' ranges. A prior that hardly knows anyone inside is given
+// up on after some tries: then the nearest values inside stand. Precondition: validate(prior)
+// passed.
 std::vector<ParameterVector> drawFromPrior(const Prior& prior, const ParameterAxes& axes, int count,
                                            std::uint64_t seed);
 

@@ -3,9 +3,9 @@
 // A factor on all channels of a pixel, for photographs that are not pure albedo: the slope of the
 // skin, a cast shadow, a lamp that falls off.
 //
-// Its prior is normal around 1. Given the skin, the most probable factor is known in closed form, so
-// that the fit looks for the five parameters alone, with the factor following them ("variable
-// projection", Golub & Pereyra 1973): core/fit/linearise-inl.h. Thread-safe.
+// Its prior is normal around 1. Given the skin, the most probable factor is known in closed form,
+// so that the fit looks for the five parameters alone, with the factor following them ("variable
+// projection", Golub & Pereyra 1973): core/fit/refined/linearise-inl.h. Thread-safe.
 
 #include <cstddef>
 

@@ -8,7 +8,7 @@
 #include "core/base/random.h"
 #include "core/neural/spectra_batch.h"
 #include "core/neural/training_options.h"
-#include "core/skin/profile_signature.h"
+#include "core/skin/profile/profile_signature.h"
 
 namespace cutis {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/skin/parameter_axis.h"
+#include "core/skin/profile/parameter_axis.h"
 
 namespace cutis {
 

@@ -7,7 +7,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
-#include "core/neural/layer-inl.h"
+#include "core/neural/dense/dense-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -16,9 +16,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // One block of kSampleStep pixels on its way.
 struct Block {
-  float* values;     // [unit][kSampleStep]
+  float* values;  // [unit][kSampleStep]
   float* next;
-  float* poison;     // [kSampleStep]: 0, or NaN where an input is not finite
+  float* poison;  // [kSampleStep]: 0, or NaN where an input is not finite
   std::size_t first;
   std::size_t live;
 
@@ -34,8 +34,10 @@ HWY_INLINE void Load(const NetworkPass& pass, const NetworkPixels& pixels, const
   for (std::size_t k = 0; k < pass.inputCount; ++k) {
     float* row = block.values + k * kSampleStep;
     const float* from = pixels.inputs[k] + block.first;
-    for (std::size_t i = 0; i < block.live; ++i) row[i] = from[i];
-    for (std::size_t i = block.live; i < kSampleStep; ++i) row[i] = 0.0f;
+    for (std::size_t i = 0; i < block.live; ++i)
+      row[i] = from[i];
+    for (std::size_t i = block.live; i < kSampleStep; ++i)
+      row[i] = 0.0f;
   }
   for (std::size_t i = 0; i < kSampleStep; i += hn::Lanes(d)) {
     auto poison = hn::Zero(d);
@@ -86,7 +88,8 @@ HWY_INLINE void Run(const KernelLayer* layers, std::size_t count, Block& block) 
 
 // Adds the poison on the way out.
 HWY_INLINE void StoreRow(const float* row, const Block& block, float* to) {
-  for (std::size_t i = 0; i < block.live; ++i) to[block.first + i] = row[i] + block.poison[i];
+  for (std::size_t i = 0; i < block.live; ++i)
+    to[block.first + i] = row[i] + block.poison[i];
 }
 
 HWY_INLINE void StoreParameters(const NetworkPass& pass, const Block& block, float* const* to) {
@@ -98,7 +101,8 @@ HWY_INLINE void StoreParameters(const NetworkPass& pass, const Block& block, flo
     for (std::size_t i = 0; i < kSampleStep; i += hn::Lanes(d)) {
       const auto coordinate = hn::LoadU(d, from + i);
       auto value = hn::Mul(coordinate, hn::Set(d, axis.maximum));
-      for (int e = 1; e < axis.exponent; ++e) value = hn::Mul(value, coordinate);
+      for (int e = 1; e < axis.exponent; ++e)
+        value = hn::Mul(value, coordinate);
       hn::StoreU(value, d, row + i);
     }
     StoreRow(row, block, to[k]);

@@ -9,8 +9,8 @@
 
 #include <cstddef>
 
-#include "core/neural/layer_kernel.h"
-#include "core/skin/parameter.h"
+#include "core/neural/dense/dense_kernel.h"
+#include "core/skin/profile/parameter.h"
 
 namespace cutis {
 
@@ -47,7 +47,7 @@ struct NetworkPixels {
 // Floats of scratch that a pass needs.
 std::size_t networkScratchSize(const NetworkPass& pass);
 
-// scratch: aligned as in core/neural/aligned_floats.h, or slower.
+// scratch: aligned as in core/neural/dense/aligned_floats.h, or slower.
 void runNetworkKernel(const NetworkPass& pass, const NetworkPixels& pixels, float* scratch);
 
 }  // namespace cutis

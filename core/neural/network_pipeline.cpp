@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/neural/aligned_floats.h"
+#include "core/neural/dense/aligned_floats.h"
 
 namespace cutis {
 namespace {

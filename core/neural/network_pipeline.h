@@ -20,7 +20,7 @@
 #include "core/neural/chromophore_network.h"
 #include "core/neural/network_kernel.h"
 #include "core/neural/spectra_network.h"
-#include "core/skin/reflectance_batch.h"
+#include "core/skin/model/reflectance_batch.h"
 
 namespace cutis {
 

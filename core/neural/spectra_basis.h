@@ -14,7 +14,7 @@
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/skin_model.h"
 #include "core/spectra/grid.h"
 
 namespace cutis {

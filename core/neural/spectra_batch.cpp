@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/base/parallel.h"
-#include "core/skin/reflectance_batch.h"
+#include "core/skin/model/reflectance_batch.h"
 
 namespace cutis {
 namespace {

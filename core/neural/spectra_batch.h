@@ -1,7 +1,7 @@
 #pragma once
 
 // Whole spectra of many people at once, for training: at all 351 samples of the grid, in single
-// precision (core/skin/reflectance_batch.h: within 2e-6 of SkinModel).
+// precision (core/skin/model/reflectance_batch.h: within 2e-6 of SkinModel).
 
 #include <cstddef>
 #include <functional>
@@ -11,7 +11,7 @@
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
-#include "core/skin/node_model.h"
+#include "core/skin/model/compiled_model.h"
 
 namespace cutis {
 
@@ -31,7 +31,7 @@ class SpectraSource {
                       const std::function<void(std::size_t, const SpectraBlock&)>& work) const;
 
  private:
-  NodeModel nodes_;
+  CompiledModel nodes_;
 };
 
 }  // namespace cutis

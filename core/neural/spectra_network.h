@@ -14,9 +14,9 @@
 
 #include <Eigen/Core>
 
+#include "core/neural/dense/trainer.h"
 #include "core/neural/network_coordinates.h"
 #include "core/neural/spectra_basis.h"
-#include "core/neural/trainer.h"
 #include "core/spectra/signature.h"
 
 namespace cutis {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/neural/dense/trainer.h"
 #include "core/neural/network_coordinates.h"
-#include "core/neural/trainer.h"
 
 namespace cutis {
 

@@ -7,9 +7,9 @@
 
 namespace cutis {
 
-// Linear Rec.709 of skin under a light as an observer sees it: Y of a perfect diffuser is 1, so that
-// under D65 it is (1, 1, 1). Without adaptation a reddish light gives a reddish picture; with it, the
-// light's white becomes D65's. `daylight` is D65, for the white of Rec.709.
+// Linear Rec.709 of skin under a light as an observer sees it: Y of a perfect diffuser is 1, so
+// that under D65 it is (1, 1, 1). Without adaptation a reddish light gives a reddish picture; with
+// it, the light's white becomes D65's. `daylight` is D65, for the white of Rec.709.
 SpectrumRows colourRows(const Spectrum& light, const Sensor& observer,
                         ChromaticAdaptation adaptation, const Spectrum& daylight,
                         const Sensor& standardObserver);

@@ -61,7 +61,8 @@ SearchChannels searchChannels(const Rig& rig) {
   const bool narrowband = blue && green;
   SearchChannels channels;
   channels.fromRig = Eigen::MatrixXd::Zero(narrowband ? 5 : 3, rig.channelCount());
-  for (int c = 0; c < 3; ++c) channels.fromRig(c, 3 * white + c) = 1.0;
+  for (int c = 0; c < 3; ++c)
+    channels.fromRig(c, 3 * white + c) = 1.0;
   if (narrowband) {
     channels.fromRig.row(3) = *blue;
     channels.fromRig.row(4) = *green;

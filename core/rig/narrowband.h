@@ -2,10 +2,11 @@
 
 // Narrowband responses synthesised from mixtures with white (paper, §3.2).
 //
-// A display adds light, so a mixture is k times white plus light of one primary, and the response to
-// that primary alone follows linearly. With W = Σ S L,
+// A display adds light, so a mixture is k times white plus light of one primary, and the response
+// to that primary alone follows linearly. With W = Σ S L,
 //
-//   sb = (W_wb y_wb − k W_w y_w) / (W_wb − k W_w)      in the blue sensor, sg likewise in the green.
+//   sb = (W_wb y_wb − k W_w y_w) / (W_wb − k W_w)      in the blue sensor, sg likewise in the
+//   green.
 //
 // Exact for any skin; the paper adapts chromatically instead (Gitlina et al. 2020).
 

@@ -11,7 +11,8 @@ namespace {
 
 std::string lightList(const Rig& rig) {
   std::string list;
-  for (const RigLight& light : rig.lights) list += (list.empty() ? "" : ", ") + light.name;
+  for (const RigLight& light : rig.lights)
+    list += (list.empty() ? "" : ", ") + light.name;
   return list;
 }
 
@@ -42,7 +43,8 @@ Status validate(const Rig& rig, const std::string& place) {
   std::set<std::string> names;
   for (const RigLight& light : rig.lights) {
     if (!names.insert(light.name).second) {
-      return inputError(place, "two lights are called '" + light.name + "'; give each its own name");
+      return inputError(place,
+                        "two lights are called '" + light.name + "'; give each its own name");
     }
     if (!isPower(light.power) || light.power.sum() <= 0.0) {
       return inputError(place, "light '" + light.name +
@@ -75,8 +77,8 @@ Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
   for (const std::string& name : names) {
     const int index = rig.lightIndex(name);
     if (index < 0) {
-      return inputError(place, "rig '" + rig.name + "' has no light '" + name + "'; it has " +
-                                   lightList(rig));
+      return inputError(
+          place, "rig '" + rig.name + "' has no light '" + name + "'; it has " + lightList(rig));
     }
     if (selected.lightIndex(name) >= 0) {
       return usageError(place, "light '" + name + "' is named twice");

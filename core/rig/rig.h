@@ -73,8 +73,8 @@ struct Rig {
 // noise is negative or not finite. A channel that sees nothing is allowed; it is left out of a fit.
 Status validate(const Rig& rig, const std::string& place);
 
-// The same rig with only these lights, in this order. Fails if there is none, or a name is unknown or
-// given twice.
+// The same rig with only these lights, in this order. Fails if there is none, or a name is unknown
+// or given twice.
 Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
                        const std::string& place);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/simulate/gradient_noise.h"
+#include "core/simulate/paint/gradient_noise.h"
 
 namespace cutis {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/skin/parameter_sampling.h"
+#include "core/skin/profile/parameter_sampling.h"
 
 namespace cutis {
 namespace {
@@ -29,10 +29,9 @@ Result<SpectrumRows> sampledSpectra(const SkinModel& model, int count, int first
 Result<ChannelModel> ChannelModel::create(const SkinModel& model, const Rig& rig,
                                           const FreeConstants& free, const JobContext& context) {
   if (free.count() > 0) {
-    CUTIS_TRY(variable,
-              VariableResponse::make(model, responseRows(rig), free, kNodeOptions, context));
+    CUTIS_TRY(variable, FreeResponse::make(model, responseRows(rig), free, kNodeOptions, context));
     ChannelModel channels(model, {}, rig.channelCount());
-    channels.variable_ = std::make_shared<const VariableResponse>(std::move(variable));
+    channels.variable_ = std::make_shared<const FreeResponse>(std::move(variable));
     return channels;
   }
   CUTIS_TRY(training, sampledSpectra(model, kTrainingCount, 0, context.child(0.0, 0.3)));

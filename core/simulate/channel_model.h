@@ -11,10 +11,10 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
-#include "core/skin/node_model.h"
-#include "core/skin/reflectance_batch.h"
-#include "core/skin/skin_model.h"
-#include "core/skin/variable_response.h"
+#include "core/skin/free/free_response.h"
+#include "core/skin/model/compiled_model.h"
+#include "core/skin/model/reflectance_batch.h"
+#include "core/skin/model/skin_model.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
@@ -25,7 +25,7 @@ class ChannelModel {
   // Channels within about 1e-6 rms over the profile's whole range, 2e-5 at worst. About 50 ms for
   // nine channels.
   // With constants of each pixel's own, as far as they are free: cost and errors are then those of
-  // VariableResponse::make.
+  // FreeResponse::make.
   static Result<ChannelModel> create(const SkinModel& model, const Rig& rig,
                                      const FreeConstants& free, const JobContext& context);
 
@@ -38,9 +38,9 @@ class ChannelModel {
  private:
   ChannelModel(const SkinModel& model, const SpectralNodes& nodes, int channelCount);
 
-  NodeModel nodes_;
-  std::vector<std::vector<float>> weights_;           // by channel, then node
-  std::shared_ptr<const VariableResponse> variable_;  // instead of both, where something is free
+  CompiledModel nodes_;
+  std::vector<std::vector<float>> weights_;       // by channel, then node
+  std::shared_ptr<const FreeResponse> variable_;  // instead of both, where something is free
 };
 
 }  // namespace cutis

@@ -10,7 +10,7 @@
 #include "core/simulate/backdrop.h"
 #include "core/simulate/channel_model.h"
 #include "core/simulate/counter_normal.h"
-#include "core/simulate/gradient_noise.h"
+#include "core/simulate/paint/gradient_noise.h"
 #include "core/skin/parameter_buffer.h"
 #include "core/skin/pixel_state.h"
 

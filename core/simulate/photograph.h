@@ -10,7 +10,7 @@
 #include "core/rig/rig.h"
 #include "core/simulate/skin_patch.h"
 #include "core/skin/chromophore_maps.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/skin_model.h"
 
 namespace cutis {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/simulate/patch_painter.h"
+#include "core/simulate/paint/patch_painter.h"
 #include "core/skin/pixel_state.h"
 
 namespace cutis {
@@ -56,8 +56,8 @@ Result<SimulatedSkin> simulateSkin(const SkinRecipe& recipe, int width, int heig
   skin.maps = ChromophoreMaps(width, height, PixelFormat::float32, store);
   skin.mask = Plane(width, height, PixelFormat::half, store);
   const PatchPainter painter(recipe, {width, height}, seed);
-  CUTIS_CHECK(parallelFor(
-      static_cast<std::size_t>(skin.mask.tileCount()), context, [&](std::size_t i) {
+  CUTIS_CHECK(
+      parallelFor(static_cast<std::size_t>(skin.mask.tileCount()), context, [&](std::size_t i) {
         return paintInto(skin, painter, axes, skin.mask.tileRect(static_cast<int>(i)));
       }));
   return skin;

@@ -8,9 +8,9 @@
 #include "core/base/job_context.h"
 #include "core/base/plane.h"
 #include "core/base/result.h"
-#include "core/simulate/skin_recipe.h"
+#include "core/simulate/paint/skin_recipe.h"
 #include "core/skin/chromophore_maps.h"
-#include "core/skin/parameter_axis.h"
+#include "core/skin/profile/parameter_axis.h"
 
 namespace cutis {
 
@@ -23,10 +23,9 @@ struct SimulatedSkin {
 
 // Width and height from 1 to kLargestPatch, in pixels; results are clamped to the axes. Maps are
 // float. A pixel is a function of its coordinates, the size, recipe and seed: the same bits for any
-// number of threads. Another seed gives other freckles, pores, hairs, vessels and noise; lips, moles
-// and areas stay in their places. Without a store the planes live in memory.
-// Errors: a size or recipe out of range; memory, disk (TileStore). About 0.1 s for 1024² on two
-// cores.
+// number of threads. Another seed gives other freckles, pores, hairs, vessels and noise; lips,
+// moles and areas stay in their places. Without a store the planes live in memory. Errors: a size
+// or recipe out of range; memory, disk (TileStore). About 0.1 s for 1024² on two cores.
 Result<SimulatedSkin> simulateSkin(const SkinRecipe& recipe, int width, int height,
                                    std::uint64_t seed, const ParameterAxes& axes,
                                    const std::shared_ptr<TileStore>& store,

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/plane.h"
-#include "core/skin/free_constants.h"
-#include "core/skin/parameter.h"
+#include "core/skin/profile/free_constants.h"
+#include "core/skin/profile/parameter.h"
 
 namespace cutis {
 

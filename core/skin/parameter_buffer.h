@@ -9,7 +9,7 @@
 #include "core/base/rect.h"
 #include "core/base/result.h"
 #include "core/skin/chromophore_maps.h"
-#include "core/skin/reflectance_batch.h"
+#include "core/skin/model/reflectance_batch.h"
 
 namespace cutis {
 

@@ -5,8 +5,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "core/skin/node_reflectance-inl.h"
-#include "core/skin/partial-inl.h"
+#include "core/maths/partial-inl.h"
+#include "core/skin/layers/node_reflectance-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -20,24 +20,24 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
   const std::size_t lanes = hn::Lanes(d);
   for (std::size_t i = 0; i < arguments.count; i += lanes) {
     const std::size_t live = arguments.count - i < lanes ? arguments.count - i : lanes;
-    const auto load = [&](int k) HWY_ATTR {
-      return LoadFirst(d, arguments.parameters[k] + i, live);
-    };
+    const auto load = [&](int k)
+                          HWY_ATTR { return LoadFirst(d, arguments.parameters[k] + i, live); };
     const V melanin = load(kMelanin);
     const V melaninEu = hn::Mul(melanin, load(kMelaninBlend));
     const V bloodDermal = load(kHaemoglobinDermal);
     const V bloodEpidermal = load(kHaemoglobinEpidermal);
     const V carotene = load(kCarotene);
     V sums[kRows];
-    for (V& sum : sums) sum = hn::Zero(d);
+    for (V& sum : sums)
+      sum = hn::Zero(d);
     const float* weights = arguments.weights;
     for (std::size_t n = 0; n < arguments.nodeCount; ++n) {
       V epidermal, dermal;
       NodeAbsorption(d, arguments.nodes[n], melanin, melaninEu, bloodDermal, bloodEpidermal,
                      carotene, epidermal, dermal);
-      const V reflectance = NodeReflectanceOf<false>(d, arguments.layers, arguments.nodes[n],
-                                                        epidermal, dermal)
-                                .reflectance;
+      const V reflectance =
+          NodeReflectanceOf<false>(d, arguments.layers, arguments.nodes[n], epidermal, dermal)
+              .reflectance;
       for (std::size_t k = 0; k < kRows; ++k) {
         sums[k] = hn::MulAdd(reflectance, hn::Set(d, weights[k]), sums[k]);
       }

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "core/skin/node_constants.h"
-#include "core/skin/parameter.h"
+#include "core/skin/layers/node_constants.h"
+#include "core/skin/profile/parameter.h"
 
 namespace cutis {
 
@@ -17,10 +17,10 @@ struct ResponseArguments {
   LayerConstants<float> layers;
   const float* parameters[kParameterCount];
   std::size_t count;
-  const float* weights;      // [node][weightStride], the first rowCount of each are used
+  const float* weights;  // [node][weightStride], the first rowCount of each are used
   std::size_t weightStride;
-  std::size_t rowCount;      // at most kMaximumResponseRows
-  float* const* out;         // [row][count]
+  std::size_t rowCount;  // at most kMaximumResponseRows
+  float* const* out;     // [row][count]
 };
 
 void runResponseKernel(const ResponseArguments& arguments);

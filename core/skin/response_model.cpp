@@ -6,15 +6,15 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/skin/model_nodes.h"
+#include "core/skin/free/free_response.h"
+#include "core/skin/model/choose_nodes.h"
 #include "core/skin/response_kernel.h"
-#include "core/skin/variable_response.h"
 
 namespace cutis {
 
 ResponseModel::ResponseModel(const SkinModel& model, const SpectrumRows& rows,
                              const NodeOptions& options)
-    : nodes_(chooseModelNodes(model, rows, options)), model_(std::in_place, model, nodes_.samples) {
+    : nodes_(chooseNodes(model, rows, options)), model_(std::in_place, model, nodes_.samples) {
   for (Eigen::Index n = 0; n < nodes_.weights.cols(); ++n) {
     for (Eigen::Index k = 0; k < nodes_.weights.rows(); ++k) {
       weights_.push_back(static_cast<float>(nodes_.weights(k, n)));
@@ -22,7 +22,7 @@ ResponseModel::ResponseModel(const SkinModel& model, const SpectrumRows& rows,
   }
 }
 
-ResponseModel::ResponseModel(std::shared_ptr<const VariableResponse> variable)
+ResponseModel::ResponseModel(std::shared_ptr<const FreeResponse> variable)
     : nodes_(variable->nodes()), free_(variable->free()), variable_(std::move(variable)) {}
 
 Result<std::shared_ptr<const ResponseModel>> ResponseModel::create(const SkinModel& model,
@@ -31,9 +31,9 @@ Result<std::shared_ptr<const ResponseModel>> ResponseModel::create(const SkinMod
                                                                    const JobContext& context,
                                                                    const NodeOptions& options) {
   if (free.count() == 0) return std::make_shared<const ResponseModel>(model, rows, options);
-  CUTIS_TRY(variable, VariableResponse::make(model, rows, free, options, context));
+  CUTIS_TRY(variable, FreeResponse::make(model, rows, free, options, context));
   return std::make_shared<const ResponseModel>(
-      std::make_shared<const VariableResponse>(std::move(variable)));
+      std::make_shared<const FreeResponse>(std::move(variable)));
 }
 
 void ResponseModel::evaluate(const ParameterBatch<float>& batch,

@@ -9,14 +9,14 @@
 #include <span>
 #include <vector>
 
-#include "core/skin/node_model.h"
-#include "core/skin/reflectance_batch.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/compiled_model.h"
+#include "core/skin/model/reflectance_batch.h"
+#include "core/skin/model/skin_model.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
 
-class VariableResponse;
+class FreeResponse;
 
 // Thread-safe: const after construction.
 class ResponseModel {
@@ -24,10 +24,10 @@ class ResponseModel {
   // Chooses the nodes (about 0.1 s).
   ResponseModel(const SkinModel& model, const SpectrumRows& rows, const NodeOptions& options = {});
   // Of pixels with constants of their own.
-  explicit ResponseModel(std::shared_ptr<const VariableResponse> variable);
+  explicit ResponseModel(std::shared_ptr<const FreeResponse> variable);
 
   // Either: with constants of each pixel's own where some are free. Errors and cost: those of
-  // VariableResponse::make, none where nothing is free.
+  // FreeResponse::make, none where nothing is free.
   static Result<std::shared_ptr<const ResponseModel>> create(const SkinModel& model,
                                                              const SpectrumRows& rows,
                                                              const FreeConstants& free,
@@ -47,9 +47,9 @@ class ResponseModel {
  private:
   SpectralNodes nodes_;
   FreeConstants free_;
-  std::shared_ptr<const VariableResponse> variable_;  // null: the profile's constants
-  std::optional<NodeModel> model_;                    // without `variable_`
-  std::vector<float> weights_;                        // by node, then row
+  std::shared_ptr<const FreeResponse> variable_;  // null: the profile's constants
+  std::optional<CompiledModel> model_;            // without `variable_`
+  std::vector<float> weights_;                    // by node, then row
 };
 
 }  // namespace cutis

@@ -1,8 +1,9 @@
 #include "core/spectra/colorimetry.h"
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
+
+#include <Eigen/LU>
 
 namespace cutis {
 namespace {
@@ -79,7 +80,9 @@ Eigen::Vector3d labFromXyz(const Eigen::Vector3d& xyz, const Eigen::Vector3d& wh
   return {116.0 * fy - 16.0, 500.0 * (fx - fy), 200.0 * (fy - fz)};
 }
 
-double lightness(double relativeLuminance) { return 116.0 * labCurve(relativeLuminance) - 16.0; }
+double lightness(double relativeLuminance) {
+  return 116.0 * labCurve(relativeLuminance) - 16.0;
+}
 
 double deltaE76(const Eigen::Vector3d& lab1, const Eigen::Vector3d& lab2) {
   return (lab1 - lab2).norm();

@@ -4,8 +4,8 @@
 // for processors that round differently. Spectra go in as their sums against fixed random weights,
 // so that a change anywhere shows.
 //
-// Thread-safe: pure functions and values. Numbers are finite; beyond what a float holds they count as
-// the largest float.
+// Thread-safe: pure functions and values. Numbers are finite; beyond what a float holds they count
+// as the largest float.
 
 #include <span>
 #include <string_view>

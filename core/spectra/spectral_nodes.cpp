@@ -1,10 +1,11 @@
 #include "core/spectra/spectral_nodes.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
 
 namespace cutis {
 namespace {
@@ -137,8 +138,7 @@ SpectralNodes withWeights(const SpectrumRows& rows, const SpectrumRows& training
   nodes.weights = MatrixXd(rows.rows(), 0);
   if (!nodes.samples.empty()) {
     // Orthogonal factorisation: the normal equations would lose half the digits here.
-    nodes.weights =
-        gather(training, nodes.samples).colPivHouseholderQr().solve(target).transpose();
+    nodes.weights = gather(training, nodes.samples).colPivHouseholderQr().solve(target).transpose();
   }
   const MatrixXd error = gather(checking, nodes.samples) * nodes.weights.transpose() -
                          checking.matrix() * rows.matrix().transpose();
@@ -158,13 +158,14 @@ SpectralNodes chooseSpectralNodes(const SpectrumRows& rows, const SpectrumRows& 
   const Selection selection(gather(training, candidates), target);
   const auto toSamples = [&](const std::vector<Index>& chosen) {
     std::vector<int> samples;
-    for (const Index j : chosen) samples.push_back(candidates[static_cast<std::size_t>(j)]);
+    for (const Index j : chosen)
+      samples.push_back(candidates[static_cast<std::size_t>(j)]);
     return samples;
   };
 
   std::vector<Index> chosen;
-  const auto limit = std::min<std::size_t>(candidates.size(),
-                                           static_cast<std::size_t>(options.maximumNodes));
+  const auto limit =
+      std::min<std::size_t>(candidates.size(), static_cast<std::size_t>(options.maximumNodes));
   while (chosen.size() < limit) {
     double left = 0.0;
     const Index next = selection.best(chosen, left);

@@ -4,16 +4,16 @@
 #include <utility>
 
 #include "core/base/content_hash.h"
-#include "core/fit/free_solver.h"
+#include "core/fit/free/free_solver.h"
 #include "core/fit/network_solver.h"
-#include "core/fit/refined_solver.h"
-#include "core/fit/search_solver.h"
-#include "core/skin/profile_signature.h"
-#include "src/files/layer_table_cache.h"
-#include "src/files/network_file.h"
-#include "src/files/profile_file.h"
+#include "core/fit/refined/refined_solver.h"
+#include "core/fit/table/search_solver.h"
+#include "core/skin/profile/profile_signature.h"
+#include "src/files/networks/network_file.h"
+#include "src/files/profiles/layer_table_cache.h"
+#include "src/files/profiles/profile_file.h"
+#include "src/files/profiles/table_cache.h"
 #include "src/files/spectral_library.h"
-#include "src/files/table_cache.h"
 
 namespace cutis {
 namespace {

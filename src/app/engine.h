@@ -18,11 +18,11 @@
 #include "core/base/result.h"
 #include "core/fit/fit_options.h"
 #include "core/fit/pixel_solver.h"
-#include "core/fit/table_search.h"
+#include "core/fit/table/table_search.h"
 #include "core/neural/chromophore_network.h"
 #include "core/rig/rig.h"
+#include "core/skin/model/skin_model.h"
 #include "core/skin/response_model.h"
-#include "core/skin/skin_model.h"
 #include "src/app/picture_request.h"
 
 namespace cutis {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/files/suggestion.h"
+#include "src/files/io/suggestion.h"
 
 namespace cutis {
 namespace {

@@ -36,11 +36,15 @@ JobRunner::JobRunner(QObject* parent) : QObject(parent) {
   connect(&progressTimer_, &QTimer::timeout, this, &JobRunner::reportProgress);
 }
 
-JobRunner::~JobRunner() { stopAll(); }
+JobRunner::~JobRunner() {
+  stopAll();
+}
 
 void JobRunner::stopAll() {
-  for (const auto& job : jobs_) job->stop.request_stop();
-  for (const auto& job : jobs_) job->thread.join();
+  for (const auto& job : jobs_)
+    job->stop.request_stop();
+  for (const auto& job : jobs_)
+    job->thread.join();
   jobs_.clear();
 }
 
@@ -62,15 +66,15 @@ JobId JobRunner::launch(const QString& name, bool quiet, std::function<void(cons
 
   Handle handle;
   handle.context.stop = job->stop.get_token();
-  handle.context.progress = Progress([shared = job->progress](double fraction,
-                                                              const std::string& stage) {
-    const std::scoped_lock lock(shared->mutex);
-    // Several threads report; a late one does not take the bar back within a stage.
-    if (stage == shared->stage && fraction < shared->fraction) return;
-    shared->stage = stage;
-    shared->fraction = fraction;
-    shared->changed = true;
-  });
+  handle.context.progress =
+      Progress([shared = job->progress](double fraction, const std::string& stage) {
+        const std::scoped_lock lock(shared->mutex);
+        // Several threads report; a late one does not take the bar back within a stage.
+        if (stage == shared->stage && fraction < shared->fraction) return;
+        shared->stage = stage;
+        shared->fraction = fraction;
+        shared->changed = true;
+      });
   handle.post = [this, stop = job->stop.get_token()](std::function<void()> action) {
     QMetaObject::invokeMethod(
         this,
@@ -81,7 +85,8 @@ JobId JobRunner::launch(const QString& name, bool quiet, std::function<void(cons
   };
   job->thread = std::thread([this, id, handle, work = std::move(work)] {
     work(handle);
-    QMetaObject::invokeMethod(this, [this, id] { retire(id); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, id] { retire(id); }, Qt::QueuedConnection);
   });
   jobs_.push_back(std::move(job));
   if (!quiet) {
@@ -128,15 +133,14 @@ void JobRunner::reportProgress() {
     // The first percents say little about the rest.
     constexpr double kEnoughToEstimate = 0.05;
     const double seconds = static_cast<double>(job->since.elapsed()) * 1e-3;
-    const double left =
-        fraction < kEnoughToEstimate ? -1.0 : seconds * (1.0 - fraction) / fraction;
+    const double left = fraction < kEnoughToEstimate ? -1.0 : seconds * (1.0 - fraction) / fraction;
     Q_EMIT progressed(job->id, stage, fraction, left);
   }
 }
 
 void JobRunner::retire(JobId id) {
-  const auto found = std::find_if(jobs_.begin(), jobs_.end(),
-                                  [id](const auto& job) { return job->id == id; });
+  const auto found =
+      std::find_if(jobs_.begin(), jobs_.end(), [id](const auto& job) { return job->id == id; });
   if (found == jobs_.end()) return;
   const std::unique_ptr<Job> job = std::move(*found);
   jobs_.erase(found);
@@ -147,8 +151,8 @@ void JobRunner::retire(JobId id) {
 }
 
 JobRunner::Job* JobRunner::find(JobId id) const {
-  const auto found = std::find_if(jobs_.begin(), jobs_.end(),
-                                  [id](const auto& job) { return job->id == id; });
+  const auto found =
+      std::find_if(jobs_.begin(), jobs_.end(), [id](const auto& job) { return job->id == id; });
   return found == jobs_.end() ? nullptr : found->get();
 }
 

@@ -2,9 +2,9 @@
 
 // Work in the background.
 //
-// A job runs on a thread of its own and hands results to the interface thread with post(). It is told
-// to stop and then left alone: the interface never waits for it. What an older job posts after it was
-// cancelled is dropped.
+// A job runs on a thread of its own and hands results to the interface thread with post(). It is
+// told to stop and then left alone: the interface never waits for it. What an older job posts after
+// it was cancelled is dropped.
 //
 // Lives on the interface thread; all signals arrive there.
 
@@ -46,8 +46,8 @@ class JobRunner : public QObject {
   // Returns at once; nothing of the job arrives after this. Unknown and finished jobs are ignored.
   void cancel(JobId id);
 
-  // Stops all jobs and waits for them; nothing of them arrives after this. For the owner of what jobs
-  // work on, before it goes.
+  // Stops all jobs and waits for them; nothing of them arrives after this. For the owner of what
+  // jobs work on, before it goes.
   void stopAll();
 
   // Whether a job runs that is neither cancelled nor quiet / that is not cancelled.

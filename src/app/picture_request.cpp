@@ -1,7 +1,7 @@
 #include "src/app/picture_request.h"
 
 #include "core/render/relight.h"
-#include "src/files/csv.h"
+#include "src/files/io/csv.h"
 #include "src/files/spectral_library.h"
 
 namespace cutis {

@@ -13,7 +13,7 @@
 #include "core/base/result.h"
 #include "core/base/tile_store.h"
 #include "src/app/engine.h"
-#include "src/cli/common_options.h"
+#include "src/cli/options/common_options.h"
 
 namespace cutis {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "src/files/platform.h"
+#include "src/files/io/platform.h"
 
 namespace cutis {
 namespace {

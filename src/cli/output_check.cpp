@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "src/files/atomic_write.h"
-#include "src/files/json_file.h"
-#include "src/images/capture_file.h"
+#include "src/files/io/atomic_write.h"
+#include "src/files/io/json_file.h"
+#include "src/images/capture/capture_file.h"
 #include "src/images/image_file.h"
 
 namespace cutis {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "src/images/sample_type.h"
+#include "src/images/codec/sample_type.h"
 
 namespace cutis {
 

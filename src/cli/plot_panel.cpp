@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "src/cli/plot_style.h"
-#include "src/files/csv.h"
+#include "src/files/io/csv.h"
 
 namespace cutis {
 

@@ -14,11 +14,11 @@
 #include <tbb/global_control.h>
 
 #include "core/base/instruction_set.h"
-#include "src/cli/arguments.h"
 #include "src/cli/command.h"
 #include "src/cli/console.h"
 #include "src/cli/help_format.h"
-#include "src/files/platform.h"
+#include "src/cli/options/arguments.h"
+#include "src/files/io/platform.h"
 
 namespace cutis {
 namespace {
@@ -59,10 +59,10 @@ std::unique_ptr<CLI::App> makeCommandLine(Invocation& invocation) {
   app->set_help_flag("-h,--help", "Print this help and exit");
   app->footer(kFooter);
   app->require_subcommand(1);
-  for (const auto add : {addFitCommand, addEditCommand, addRenderCommand, addApplyCommand,
-                         addSpectrumCommand, addFitSpectraCommand, addSimulateCommand,
-                         addValidateCommand, addCalibrateProfileCommand, addTrainCommand,
-                         addRigCommand, addBenchCommand, addInfoCommand}) {
+  for (const auto add :
+       {addFitCommand, addEditCommand, addRenderCommand, addApplyCommand, addSpectrumCommand,
+        addFitSpectraCommand, addSimulateCommand, addValidateCommand, addCalibrateProfileCommand,
+        addTrainCommand, addRigCommand, addBenchCommand, addInfoCommand}) {
     add(*app, invocation);
   }
   return app;
@@ -95,8 +95,11 @@ Status run(const Invocation& invocation, Console& console) {
   }
   onInterrupt([] { interruption().request_stop(); });
   Engine engine(cacheFolder());
-  Session session = {engine, std::make_shared<TileStore>(kPictureMemoryBytes), {},
-                     invocation.common.quiet, [&console] { console.clear(); }};
+  Session session = {engine,
+                     std::make_shared<TileStore>(kPictureMemoryBytes),
+                     {},
+                     invocation.common.quiet,
+                     [&console] { console.clear(); }};
   session.context.stop = interruption().get_token();
   session.context.progress = Progress(
       [&console](double fraction, const std::string& stage) { console.progress(fraction, stage); });

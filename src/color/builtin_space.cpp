@@ -26,25 +26,49 @@ struct Space {
 
 const std::vector<Space>& spaces() {
   static const std::vector<Space> all = {
-      {"sRGB", &kRec709, Curve::srgb, 0.0,
+      {"sRGB",
+       &kRec709,
+       Curve::srgb,
+       0.0,
        {"srgbencodedrec709srgb", "srgbrec709scene", "srgbtexture", "utilitysrgbtexture", "srgbtx",
         "srgbdisplay", "srgbiec6196621"}},
-      {"Linear Rec.709", &kRec709, Curve::linear, 0.0,
+      {"Linear Rec.709",
+       &kRec709,
+       Curve::linear,
+       0.0,
        {"linrec709", "linsrgb", "linear", "rec709linear", "linearsrgb", "srgblinear",
         "linearrec709srgb", "utilitylinearsrgb", "utilitylinearrec709", "linrec709scene",
         "scenelinearrec709srgb"}},
       {"ACEScg", &kAcesCg, Curve::linear, 0.0, {"acesacescg", "linap1", "linap1scene", "ap1"}},
-      {"ACES2065-1", &kAces2065, Curve::linear, 0.0,
+      {"ACES2065-1",
+       &kAces2065,
+       Curve::linear,
+       0.0,
        {"acesaces20651", "linap0", "linap0scene", "ap0", "aces"}},
-      {"Linear Rec.2020", &kRec2020, Curve::linear, 0.0,
+      {"Linear Rec.2020",
+       &kRec2020,
+       Curve::linear,
+       0.0,
        {"linrec2020", "linrec2020scene", "utilitylinearrec2020"}},
-      {"Linear P3-D65", &kP3D65, Curve::linear, 0.0,
+      {"Linear P3-D65",
+       &kP3D65,
+       Curve::linear,
+       0.0,
        {"linp3d65", "linp3d65scene", "lineardisplayp3", "utilitylinearp3d65"}},
-      {"Display P3", &kP3D65, Curve::srgb, 0.0,
+      {"Display P3",
+       &kP3D65,
+       Curve::srgb,
+       0.0,
        {"p3display", "srgbp3d65", "srgbp3d65scene", "srgbencodedp3d65"}},
-      {"Adobe RGB (1998)", &kAdobeRgb, Curve::power, 563.0 / 256.0,
+      {"Adobe RGB (1998)",
+       &kAdobeRgb,
+       Curve::power,
+       563.0 / 256.0,
        {"adobergb", "adobergb1998compatible", "g22adobergb"}},
-      {"Gamma 2.2 Rec.709", &kRec709, Curve::power, 2.2,
+      {"Gamma 2.2 Rec.709",
+       &kRec709,
+       Curve::power,
+       2.2,
        {"gamma22", "gammacorrected22", "g22rec709", "g22rec709scene", "gamma22encodedrec709"}},
       {"Raw", nullptr, Curve::linear, 0.0, {"none", "data", "utilityraw"}},
   };
@@ -91,7 +115,9 @@ void multiply(const Eigen::Matrix3d& matrix, std::span<float> rgb) {
   }
 }
 
-const Space& spaceAt(int index) { return spaces()[static_cast<std::size_t>(index)]; }
+const Space& spaceAt(int index) {
+  return spaces()[static_cast<std::size_t>(index)];
+}
 
 bool isRec709(const Space& space) {
   return space.primaries == nullptr || space.primaries == &kRec709;
@@ -111,11 +137,14 @@ std::optional<int> builtInSpace(const std::string& name) {
   return std::nullopt;
 }
 
-std::string builtInSpaceName(int index) { return std::string(spaceAt(index).name); }
+std::string builtInSpaceName(int index) {
+  return std::string(spaceAt(index).name);
+}
 
 std::vector<std::string> builtInSpaceNames() {
   std::vector<std::string> names;
-  for (const Space& space : spaces()) names.emplace_back(space.name);
+  for (const Space& space : spaces())
+    names.emplace_back(space.name);
   return names;
 }
 
@@ -126,7 +155,8 @@ ColorConverter builtInToLinearRec709(int index) {
       adapts ? rgbFromRgb(kRec709, *space.primaries) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   return [&space, adapts, matrix](std::span<float> rgb) -> Status {
     if (space.curve != Curve::linear) {
-      for (float& value : rgb) value = decoded(space, value);
+      for (float& value : rgb)
+        value = decoded(space, value);
     }
     if (adapts) multiply(matrix, rgb);
     return {};
@@ -141,7 +171,8 @@ ColorConverter builtInFromLinearRec709(int index) {
   return [&space, adapts, matrix](std::span<float> rgb) -> Status {
     if (adapts) multiply(matrix, rgb);
     if (space.curve != Curve::linear) {
-      for (float& value : rgb) value = encoded(space, value);
+      for (float& value : rgb)
+        value = encoded(space, value);
     }
     return {};
   };

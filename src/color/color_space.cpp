@@ -6,7 +6,7 @@
 
 #include "src/color/builtin_space.h"
 #include "src/color/ocio_config.h"
-#include "src/files/suggestion.h"
+#include "src/files/io/suggestion.h"
 
 namespace cutis {
 namespace {
@@ -26,8 +26,8 @@ Result<Found> find(const std::string& name, const std::string& place) {
     found.config = config;
     return found;
   }
-  return inputError(place, "unknown colour space '" + name + "'; " +
-                               suggestName(name, colorSpaceNames()));
+  return inputError(place,
+                    "unknown colour space '" + name + "'; " + suggestName(name, colorSpaceNames()));
 }
 
 }  // namespace

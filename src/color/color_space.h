@@ -9,8 +9,8 @@
 // aliases and roles are found too; the names above always mean what they mean here.
 //
 // White stays white: spaces with another white point are adapted (Bradford). Values below 0 and
-// above 1 are carried through; transfer curves continue oddly below 0. NaN in a channel gives NaN in
-// that pixel. Matrices and curves are those of the standards to within float rounding.
+// above 1 are carried through; transfer curves continue oddly below 0. NaN in a channel gives NaN
+// in that pixel. Matrices and curves are those of the standards to within float rounding.
 
 #include <functional>
 #include <span>
@@ -21,8 +21,8 @@
 
 namespace cutis {
 
-// Converts interleaved R, G, B in place; the size is a multiple of 3. Any number of threads may call
-// one converter at once. Fails only if a configuration's own transform does.
+// Converts interleaved R, G, B in place; the size is a multiple of 3. Any number of threads may
+// call one converter at once. Fails only if a configuration's own transform does.
 using ColorConverter = std::function<Status(std::span<float> rgb)>;
 
 // `place` stands in front of an error about the name: "--colorspace", "face.exr".

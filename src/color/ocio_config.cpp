@@ -24,9 +24,13 @@ constexpr char kSceneLinear[] = "linear Rec.709 of a scene";
 constexpr char kDisplayLinear[] = "linear Rec.709 of a display";
 
 // What configurations without interchange roles call linear Rec.709.
-constexpr std::array<const char*, 7> kLinearRec709Names = {
-    "lin_rec709",          "lin_rec709_scene",    "lin_srgb", "Linear Rec.709 (sRGB)",
-    "Utility - Linear - Rec.709", "Utility - Linear - sRGB", "Linear Rec.709"};
+constexpr std::array<const char*, 7> kLinearRec709Names = {"lin_rec709",
+                                                           "lin_rec709_scene",
+                                                           "lin_srgb",
+                                                           "Linear Rec.709 (sRGB)",
+                                                           "Utility - Linear - Rec.709",
+                                                           "Utility - Linear - sRGB",
+                                                           "Linear Rec.709"};
 
 // Exact arithmetic; tables are inverted at their own resolution.
 constexpr auto kQuality = static_cast<ocio::OptimizationFlags>(
@@ -34,14 +38,16 @@ constexpr auto kQuality = static_cast<ocio::OptimizationFlags>(
 
 std::string oneLine(const char* text) {
   std::string line = text;
-  std::replace_if(line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return line.substr(0, 200);
 }
 
 void setMatrix(const Eigen::Matrix3d& matrix, ocio::MatrixTransform& transform) {
   double m44[16] = {};
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) m44[4 * row + column] = matrix(row, column);
+    for (int column = 0; column < 3; ++column)
+      m44[4 * row + column] = matrix(row, column);
   }
   m44[15] = 1.0;
   transform.setMatrix(m44);
@@ -58,8 +64,8 @@ ocio::ColorSpaceRcPtr linearSpace(const char* name, ocio::ReferenceSpaceType ref
   return space;
 }
 
-// Ties another configuration to our numbers: linear Rec.709 as a space of scenes, by ACES2065-1, and
-// as a space of displays, by XYZ under D65.
+// Ties another configuration to our numbers: linear Rec.709 as a space of scenes, by ACES2065-1,
+// and as a space of displays, by XYZ under D65.
 ocio::ConstConfigRcPtr makeInterchange() {
   auto config = ocio::Config::Create();
   auto aces = ocio::ColorSpace::Create(ocio::REFERENCE_SPACE_SCENE);
@@ -101,8 +107,9 @@ Status checkFile(const std::string& path) {
     return inputError(place, "'" + path + "' is not a file; name a config.ocio or unset $OCIO");
   }
   if (fs::file_size(path, error) > kLargestConfigBytes) {
-    return inputError(place, "'" + path + "' is larger than 64 MiB and cannot be a configuration; "
-                                          "correct or unset $OCIO");
+    return inputError(place, "'" + path +
+                                 "' is larger than 64 MiB and cannot be a configuration; "
+                                 "correct or unset $OCIO");
   }
   return {};
 }
@@ -119,10 +126,9 @@ struct OcioConfig::Impl {
                          ocio::REFERENCE_SPACE_DISPLAY;
     if (config->hasRole(display ? ocio::ROLE_INTERCHANGE_DISPLAY : ocio::ROLE_INTERCHANGE_SCENE)) {
       const char* linear = display ? kDisplayLinear : kSceneLinear;
-      return toLinear ? ocio::Config::GetProcessorFromConfigs(config, name.c_str(), interchange,
-                                                              linear)
-                      : ocio::Config::GetProcessorFromConfigs(interchange, linear, config,
-                                                              name.c_str());
+      return toLinear
+                 ? ocio::Config::GetProcessorFromConfigs(config, name.c_str(), interchange, linear)
+                 : ocio::Config::GetProcessorFromConfigs(interchange, linear, config, name.c_str());
     }
     for (const char* linear : kLinearRec709Names) {
       if (!config->getColorSpace(linear)) continue;
@@ -136,8 +142,8 @@ struct OcioConfig::Impl {
                                    const std::string& place) const try {
     return converterOf(processor(name, toLinear));
   } catch (const std::exception& error) {
-    return inputError(place, "the configuration of $OCIO cannot convert '" + name +
-                                 "' (" + oneLine(error.what()) +
+    return inputError(place, "the configuration of $OCIO cannot convert '" + name + "' (" +
+                                 oneLine(error.what()) +
                                  "); correct it or use a built-in colour space");
   }
 };

@@ -69,7 +69,8 @@ class DefinitionWalk {
              visitLooks(looks->getLooks());
     } else if (auto view = castTo<ocio::DisplayViewTransform>(transform)) {
       return findsCycle(view->getSrc()) ||
-             findsCycle(config_.getDisplayViewColorSpaceName(view->getDisplay(), view->getView())) ||
+             findsCycle(
+                 config_.getDisplayViewColorSpaceName(view->getDisplay(), view->getView())) ||
              visitLooks(config_.getDisplayViewLooks(view->getDisplay(), view->getView()));
     }
     return false;

@@ -1,23 +1,24 @@
 // The editor.
 
-#include <QApplication>
-#include <QCommandLineParser>
-#include <QSettings>
-#include <QTimer>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
 
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <QTimer>
+
 #include "core/base/instruction_set.h"
-#include "src/app/fit_choice.h"
 #include "src/app/fit_method.h"
-#include "src/files/platform.h"
-#include "src/files/profile_file.h"
-#include "ui/main_window.h"
-#include "ui/progress_strip.h"
-#include "ui/script.h"
-#include "ui/theme.h"
+#include "src/app/open/fit_choice.h"
+#include "src/files/io/platform.h"
+#include "src/files/profiles/profile_file.h"
+#include "ui/theme/theme.h"
+#include "ui/widgets/progress_strip.h"
+#include "ui/window/main_window.h"
+#include "ui/window/script.h"
 
 namespace {
 
@@ -134,8 +135,9 @@ bool hasDisplay() {
 int main(int argc, char** argv) {
 #ifdef Q_OS_LINUX
   if (!hasDisplay()) {
-    return fail(kNoDisplay, "there is no display to open a window on; use cutis-cli, or set "
-                            "QT_QPA_PLATFORM=offscreen for --screenshot");
+    return fail(kNoDisplay,
+                "there is no display to open a window on; use cutis-cli, or set "
+                "QT_QPA_PLATFORM=offscreen for --screenshot");
   }
 #endif
   QApplication application(argc, argv);
@@ -165,8 +167,8 @@ int main(int argc, char** argv) {
           .arg(cutis::kDefaultProfile),
       "NAME|FILE");
   const QCommandLineOption method(
-      "method",
-      QObject::tr("How to fit: refined (default), network, three-stage or full-search."), "METHOD");
+      "method", QObject::tr("How to fit: refined (default), network, three-stage or full-search."),
+      "METHOD");
   parser.addOptions({sample, profile, method, screenshot, size, script, reset});
   if (!parser.parse(application.arguments())) {
     return fail(kBadUsage, parser.errorText().toStdString() + "; see cutis --help");

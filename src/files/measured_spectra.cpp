@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
-#include "src/files/csv.h"
-#include "src/files/text_file.h"
+#include "src/files/io/csv.h"
+#include "src/files/io/text_file.h"
 
 namespace cutis {
 namespace {

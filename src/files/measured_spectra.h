@@ -7,7 +7,7 @@
 // "wavelength" or "nm". They increase, at any distances. A row's leading columns whose heading is
 // no number name the spectrum: the one called id, name, sample, subject, record or label, else the
 // first. In columns the first row holds the names. Spectra without a name are numbered from 1.
-// Comments, blanks, quotes, line ends and byte order marks are as in src/files/csv.h.
+// Comments, blanks, quotes, line ends and byte order marks are as in src/files/io/csv.h.
 
 #include <filesystem>
 #include <span>

@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "src/files/json_file.h"
+#include "src/files/io/json_file.h"
+#include "src/files/io/text_file.h"
 #include "src/files/resources.h"
-#include "src/files/text_file.h"
 
 namespace cutis {
 namespace {
@@ -98,9 +98,8 @@ Status parse(const JsonValue& object, SkinTone& tone) {
 }
 
 Status parse(const JsonValue& object, SoftArea& area) {
-  return readFields(object, field("x", area.x), field("y", area.y),
-                    field("radius_x", area.radiusX), field("radius_y", area.radiusY),
-                    field("angle", area.angle));
+  return readFields(object, field("x", area.x), field("y", area.y), field("radius_x", area.radiusX),
+                    field("radius_y", area.radiusY), field("angle", area.angle));
 }
 
 Status parse(const JsonValue& object, NoiseRecipe& noise) {
@@ -169,13 +168,12 @@ Status parse(const JsonValue& object, StubbleRecipe& stubble) {
 }
 
 Status parse(const JsonValue& object, SkinRecipe& skin) {
-  return readFields(object, field("silhouette", skin.silhouette), field("tones", skin.tones),
-                    field("warp", skin.warp), field("noise", skin.noise),
-                    field("flushes", skin.flushes), field("carotene", skin.carotene),
-                    field("veins", skin.veins), field("freckles", skin.freckles),
-                    field("moles", skin.moles), field("pores", skin.pores),
-                    field("furrows", skin.furrows), field("lips", skin.lips),
-                    field("stubble", skin.stubble));
+  return readFields(
+      object, field("silhouette", skin.silhouette), field("tones", skin.tones),
+      field("warp", skin.warp), field("noise", skin.noise), field("flushes", skin.flushes),
+      field("carotene", skin.carotene), field("veins", skin.veins),
+      field("freckles", skin.freckles), field("moles", skin.moles), field("pores", skin.pores),
+      field("furrows", skin.furrows), field("lips", skin.lips), field("stubble", skin.stubble));
 }
 
 }  // namespace
@@ -195,8 +193,8 @@ Result<RecipeFile> loadRecipe(const std::string& nameOrPath, const std::string& 
 Result<RecipeFile> parseRecipe(std::string_view text, const std::string& place) {
   CUTIS_TRY(root, parseJson(text, place));
   CUTIS_CHECK(checkVersion(root, "cutis_recipe", kNewestVersion));
-  CUTIS_CHECK(root.allowOnly(
-      {"cutis_recipe", "name", "description", "width", "height", "seed", "skin"}));
+  CUTIS_CHECK(
+      root.allowOnly({"cutis_recipe", "name", "description", "width", "height", "seed", "skin"}));
   RecipeFile recipe;
   if (root.has("width")) CUTIS_CHECK(read(root, "width", recipe.width));
   if (root.has("height")) CUTIS_CHECK(read(root, "height", recipe.height));

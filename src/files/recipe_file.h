@@ -2,14 +2,14 @@
 
 // recipe.json: a procedural patch of skin. The built-in resources/sample/recipe.json shows all
 // fields. One that is left out keeps the sample's value; a list replaces the sample's, and a field
-// left out in an entry of it has the default of core/simulate/skin_recipe.h.
+// left out in an entry of it has the default of core/simulate/paint/skin_recipe.h.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/simulate/skin_recipe.h"
+#include "core/simulate/paint/skin_recipe.h"
 
 namespace cutis {
 

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "src/files/json_file.h"
+#include "src/files/io/json_file.h"
+#include "src/files/io/suggestion.h"
 #include "src/files/resources.h"
 #include "src/files/spectral_library.h"
-#include "src/files/suggestion.h"
 
 namespace cutis {
 
@@ -93,7 +93,9 @@ Result<Rig> parseRig(const JsonValue& root, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<std::string> rigNames() { return resourceStems("rigs", ".json"); }
+std::vector<std::string> rigNames() {
+  return resourceStems("rigs", ".json");
+}
 
 Result<Rig> loadRig(const std::string& nameOrPath, const std::string& folder,
                     const std::string& place) {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "src/files/csv.h"
-#include "src/files/text_file.h"
+#include "src/files/io/csv.h"
+#include "src/files/io/text_file.h"
 
 namespace cutis {
 namespace {

@@ -14,14 +14,12 @@
 namespace cutis {
 
 struct SpectralTable {
-  std::string place;                   // for errors
-  std::vector<std::string> names;      // of the curves, from the header
-  std::vector<double> wavelengthsNm;   // strictly increasing, at least two
+  std::string place;                         // for errors
+  std::vector<std::string> names;            // of the curves, from the header
+  std::vector<double> wavelengthsNm;         // strictly increasing, at least two
   std::vector<std::vector<double>> columns;  // one per name, finite
 
-  Spectrum onGrid(std::size_t column) const {
-    return resample({wavelengthsNm, columns[column]});
-  }
+  Spectrum onGrid(std::size_t column) const { return resample({wavelengthsNm, columns[column]}); }
 };
 
 Result<SpectralTable> parseSpectralCsv(std::string_view text, const std::string& place);

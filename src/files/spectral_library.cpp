@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "src/files/io/suggestion.h"
 #include "src/files/resources.h"
-#include "src/files/suggestion.h"
 
 namespace cutis {
 
@@ -84,17 +84,25 @@ std::vector<std::string> lightNames() {
   return merged(std::move(names), displayNames());
 }
 
-std::vector<std::string> cameraNames() { return resourceStems(kCameras, ".csv"); }
-std::vector<std::string> observerNames() { return resourceStems(kObservers, ".csv"); }
-std::vector<std::string> displayNames() { return resourceStems(kDisplays, ".csv"); }
+std::vector<std::string> cameraNames() {
+  return resourceStems(kCameras, ".csv");
+}
+std::vector<std::string> observerNames() {
+  return resourceStems(kObservers, ".csv");
+}
+std::vector<std::string> displayNames() {
+  return resourceStems(kDisplays, ".csv");
+}
 
 Result<Spectrum> loadLight(const Reference& reference) {
   CUTIS_TRY(table, loadTable(reference, "light", {kIlluminants, kDisplays}, lightNames()));
   Spectrum power = Spectrum::Zero();
-  for (std::size_t c = 0; c < table.columns.size(); ++c) power += table.onGrid(c);
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    power += table.onGrid(c);
   if ((power < 0.0).any() || power.sum() <= 0.0) {
-    return inputError(table.place,
-                      "the light has negative or no power between 300 and 1000 nm; correct the file");
+    return inputError(
+        table.place,
+        "the light has negative or no power between 300 and 1000 nm; correct the file");
   }
   return power;
 }
@@ -128,7 +136,8 @@ Result<std::array<Spectrum, 3>> loadPrimaries(const Reference& reference) {
     return inputError(table.place, "the header must name columns R, G, B, one per primary");
   }
   std::array<Spectrum, 3> primaries;
-  for (std::size_t c = 0; c < 3; ++c) primaries[c] = table.onGrid((*columns)[c]);
+  for (std::size_t c = 0; c < 3; ++c)
+    primaries[c] = table.onGrid((*columns)[c]);
   return primaries;
 }
 

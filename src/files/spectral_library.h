@@ -1,6 +1,7 @@
 #pragma once
 
-// Lights, cameras, observers and displays by name: the built-in library, or the user's own CSV files.
+// Lights, cameras, observers and displays by name: the built-in library, or the user's own CSV
+// files.
 //
 // A reference is a name of the library ("D65", "cie1931", "Canon_EOS_R") or a path to a CSV file.
 // Names win over files; a path with a folder or ".csv" in it is always a file.

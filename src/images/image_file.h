@@ -7,9 +7,10 @@
 //
 // Values: unsigned integers are value / maximum in [0, 1], without linearisation; floats as they
 // are, with NaN, infinities and negatives. Alpha stays as it is stored and multiplies nothing.
-// Integers are written clamped and rounded without dithering, NaN as 0; half holds ±65504, beyond is
-// infinite. Pixels are in the order of the file; an EXIF orientation stays metadata. A picture of an
-// OpenEXR file is its display window, 0 where nothing is stored; of several parts the first counts.
+// Integers are written clamped and rounded without dithering, NaN as 0; half holds ±65504, beyond
+// is infinite. Pixels are in the order of the file; an EXIF orientation stays metadata. A picture
+// of an OpenEXR file is its display window, 0 where nothing is stored; of several parts the first
+// counts.
 //
 // Errors are sentences about the file; a picture larger than 32768 a side, 2^30 pixels or 256
 // channels is refused. The stop token is looked at every few million samples.
@@ -23,8 +24,8 @@
 #include "core/base/job_context.h"
 #include "core/base/plane.h"
 #include "core/base/result.h"
-#include "src/images/metadata.h"
-#include "src/images/sample_type.h"
+#include "src/images/codec/metadata.h"
+#include "src/images/codec/sample_type.h"
 
 namespace cutis {
 
@@ -69,8 +70,8 @@ Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path&
 // Whether this could be written, told before any work is done: format, sample type, folder.
 Status checkImageOutput(const std::filesystem::path& path, SampleType type);
 
-// Replaces the file as a whole or leaves it as it was. Channels the format has no place for are left
-// out with a notice.
+// Replaces the file as a whole or leaves it as it was. Channels the format has no place for are
+// left out with a notice.
 Status writeImage(const std::filesystem::path& path, const ImageContent& content, SampleType type,
                   const JobContext& context);
 

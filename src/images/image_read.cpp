@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "src/images/color_tags.h"
+#include "src/images/codec/color_tags.h"
+#include "src/images/codec/image_reader.h"
+#include "src/images/codec/metadata_access.h"
 #include "src/images/image_file.h"
-#include "src/images/image_reader.h"
-#include "src/images/metadata_access.h"
 
 namespace cutis {
 namespace {

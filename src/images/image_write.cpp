@@ -5,12 +5,12 @@
 #include <numeric>
 #include <optional>
 
-#include "src/files/atomic_write.h"
-#include "src/images/color_tags.h"
+#include "src/files/io/atomic_write.h"
+#include "src/images/codec/color_tags.h"
+#include "src/images/codec/image_writer.h"
+#include "src/images/codec/metadata_access.h"
+#include "src/images/codec/oiio_text.h"
 #include "src/images/image_file.h"
-#include "src/images/image_writer.h"
-#include "src/images/metadata_access.h"
-#include "src/images/oiio_text.h"
 
 namespace cutis {
 namespace {
@@ -29,7 +29,8 @@ std::optional<OutputFormat> outputFormat(const std::filesystem::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   using enum SampleType;
-  if (extension == ".exr") return OutputFormat{ImageFileKind::openExr, {half, float32}, false, true};
+  if (extension == ".exr")
+    return OutputFormat{ImageFileKind::openExr, {half, float32}, false, true};
   if (extension == ".png") return OutputFormat{ImageFileKind::png, {uint8, uint16}, true, true};
   if (extension == ".tif" || extension == ".tiff") {
     return OutputFormat{ImageFileKind::tiff, {uint16, uint8, float32}, false, true};
@@ -43,17 +44,21 @@ std::optional<OutputFormat> outputFormat(const std::filesystem::path& path) {
 Result<OutputFormat> requireFormat(const std::filesystem::path& path) {
   const auto format = outputFormat(path);
   if (format) return *format;
-  return usageError(path.string(), "images are written as .exr, .tif, .png or .jpg; name the file "
-                                   "with one of these");
+  return usageError(path.string(),
+                    "images are written as .exr, .tif, .png or .jpg; name the file "
+                    "with one of these");
 }
 
 std::string listOf(const std::vector<SampleType>& types) {
   std::string list;
-  for (const SampleType type : types) list += (list.empty() ? "" : ", ") + sampleTypeName(type);
+  for (const SampleType type : types)
+    list += (list.empty() ? "" : ", ") + sampleTypeName(type);
   return list;
 }
 
-bool isAlpha(const std::string& name) { return name == "A" || name == "alpha"; }
+bool isAlpha(const std::string& name) {
+  return name == "A" || name == "alpha";
+}
 
 // Red, green, blue, alpha and then the others; without the three colours the order of the content.
 std::vector<std::size_t> orderedChannels(const std::vector<std::string>& names) {
@@ -65,7 +70,8 @@ std::vector<std::size_t> orderedChannels(const std::vector<std::string>& names) 
   };
   std::vector<std::size_t> order(names.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto colors = std::count_if(order.begin(), order.end(), [&](auto i) { return rank(i) < 3; });
+  const auto colors =
+      std::count_if(order.begin(), order.end(), [&](auto i) { return rank(i) < 3; });
   if (colors == 3) {
     std::stable_sort(order.begin(), order.end(), [&](auto i, auto j) { return rank(i) < rank(j); });
   }
@@ -78,7 +84,8 @@ std::vector<std::size_t> chosenChannels(const std::vector<std::string>& names,
   const std::vector<std::size_t> ordered = orderedChannels(names);
   if (!format.colorsOnly) return ordered;
   std::vector<std::size_t> kept, alpha;
-  for (const std::size_t i : ordered) (isAlpha(names[i]) ? alpha : kept).push_back(i);
+  for (const std::size_t i : ordered)
+    (isAlpha(names[i]) ? alpha : kept).push_back(i);
   if (kept.empty()) std::swap(kept, alpha);
   kept.resize(kept.size() >= 3 ? 3 : 1);
   if (format.alpha && !alpha.empty()) kept.push_back(alpha.front());
@@ -115,9 +122,9 @@ Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path&
 Status checkImageOutput(const std::filesystem::path& path, SampleType type) {
   CUTIS_TRY(format, requireFormat(path));
   if (std::find(format.types.begin(), format.types.end(), type) == format.types.end()) {
-    return usageError(path.string(), imageKindName(format.kind) + " does not hold samples of type " +
-                                         sampleTypeName(type) + "; choose " +
-                                         listOf(format.types) + " or another format");
+    return usageError(path.string(), imageKindName(format.kind) +
+                                         " does not hold samples of type " + sampleTypeName(type) +
+                                         "; choose " + listOf(format.types) + " or another format");
   }
   return checkWritable(path);
 }
@@ -136,7 +143,8 @@ Status writeImage(const std::filesystem::path& path, const ImageContent& content
   }
   OIIO::ImageSpec plain = plainSpec(content, channels, format, type);
   OutputPart part{plain, {}};
-  for (const std::size_t i : channels) part.channels.push_back(content.channels[i]);
+  for (const std::size_t i : channels)
+    part.channels.push_back(content.channels[i]);
   bool keepProfile = content.keepColorProfile;
   if (keepProfile && format.kind == ImageFileKind::png &&
       !MetadataAccess::pngTakesProfile(content.metadata)) {

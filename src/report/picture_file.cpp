@@ -1,7 +1,7 @@
 #include "src/report/picture_file.h"
 
-#include "src/files/atomic_write.h"
-#include "src/files/platform.h"
+#include "src/files/io/atomic_write.h"
+#include "src/files/io/platform.h"
 #include "src/files/resources.h"
 #include "src/report/rasteriser.h"
 

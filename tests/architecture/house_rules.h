@@ -10,7 +10,7 @@
 
 namespace cutis::test {
 
-// Texts by path from the root of the repository, e.g. "core/skin/profile.h".
+// Texts by path from the root of the repository, e.g. "core/skin/profile/profile.h".
 using SourceTree = std::map<std::string, std::string>;
 
 struct Include {

@@ -1,8 +1,9 @@
 // The rules on made-up snippets: that they let through what they should, and that they can fail.
 
+#include "tests/architecture/house_rules.h"
+
 #include <QtTest>
 
-#include "tests/architecture/house_rules.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis::test {
@@ -45,7 +46,7 @@ class HouseRulesTest : public QObject {
   }
 
   void foldersAreRooms() {
-    QCOMPARE(folderOf("core/skin/profile.h"), std::string("core/skin"));
+    QCOMPARE(folderOf("core/skin/profile/profile.h"), std::string("core/skin"));
     QCOMPARE(folderOf("core/skin/deep/er.h"), std::string("core/skin"));
     QCOMPARE(folderOf("ui/docks/plot.h"), std::string("ui"));
     QCOMPARE(folderOf("resources/resource_data.h"), std::string("resources"));
@@ -57,18 +58,21 @@ class HouseRulesTest : public QObject {
   void coreRunsDownwards() {
     const char* chain[] = {"core/base", "core/spectra", "core/skin", "core/rig", "core/fit"};
     for (int from = 0; from < 5; ++from) {
-      for (int to = 0; to < 5; ++to) QCOMPARE(mayUse(chain[from], chain[to]), to <= from);
+      for (int to = 0; to < 5; ++to)
+        QCOMPARE(mayUse(chain[from], chain[to]), to <= from);
     }
     for (const char* beside : {"core/edit", "core/render"}) {
       QVERIFY(mayUse(beside, "core/base") && mayUse(beside, "core/spectra"));
       QVERIFY(mayUse(beside, "core/skin"));
       QVERIFY(!mayUse(beside, "core/rig") && !mayUse(beside, "core/fit"));
       QVERIFY(!mayUse(beside, "core/simulate"));
-      for (const char* link : chain) QVERIFY(!mayUse(link, beside));
+      for (const char* link : chain)
+        QVERIFY(!mayUse(link, beside));
     }
     QVERIFY(!mayUse("core/edit", "core/render") && !mayUse("core/render", "core/edit"));
     QVERIFY(mayUse("core/simulate", "core/rig") && mayUse("core/simulate", "core/render"));
-    for (const char* link : chain) QVERIFY(!mayUse(link, "core/simulate"));
+    for (const char* link : chain)
+      QVERIFY(!mayUse(link, "core/simulate"));
     QVERIFY(!mayUse("core/fit", "src/files") && !mayUse("core/base", "resources"));
   }
 
@@ -83,11 +87,12 @@ class HouseRulesTest : public QObject {
     QVERIFY(!mayUse("src/images", "src/color"));
     QVERIFY(mayUse("src/cli", "src/app") && !mayUse("src/app", "src/cli"));
     QVERIFY(!mayUse("src/cli", "ui") && !mayUse("src/app", "ui"));
-    for (const char* below : {"src/app", "src/files", "src/images", "src/color", "src/report",
-                              "core/base"}) {
+    for (const char* below :
+         {"src/app", "src/files", "src/images", "src/color", "src/report", "core/base"}) {
       QVERIFY(mayUse("ui", below));
     }
-    QVERIFY(!mayUse("ui", "src/register") && !mayUse("ui", "src/cli") && !mayUse("ui", "src/cutis"));
+    QVERIFY(!mayUse("ui", "src/register") && !mayUse("ui", "src/cli") &&
+            !mayUse("ui", "src/cutis"));
     QVERIFY(mayUse("src/cutis", "ui") && mayUse("src/cutis", "src/app"));
     QVERIFY(!mayUse("src/app", "tests") && !mayUse("core/base", "tests"));
   }
@@ -98,14 +103,14 @@ class HouseRulesTest : public QObject {
   }
 
   void wrongIncludesAreReported() {
-    QCOMPARE(included("core/spectra/a.h", "core/skin/profile.h"),
+    QCOMPARE(included("core/spectra/a.h", "core/skin/profile/profile.h"),
              std::string("core/spectra/a.h:1: core/spectra may not include core/skin"));
-    QVERIFY(!included("core/fit/a.cpp", "src/files/csv.h").empty());
+    QVERIFY(!included("core/fit/a.cpp", "src/files/io/csv.h").empty());
     QVERIFY(!included("core/fit/a.cpp", "tests/support/expect.h").empty());
     QVERIFY(!included("src/files/a.cpp", "csv.h").empty());
     QVERIFY(!included("src/files/a.cpp", "../files/csv.h").empty());
-    QVERIFY(included("src/files/a.cpp", "src/files/csv.h").empty());
-    QVERIFY(included("src/files/a.cpp", "core/fit/skin_table.h").empty());
+    QVERIFY(included("src/files/a.cpp", "src/files/io/csv.h").empty());
+    QVERIFY(included("src/files/a.cpp", "core/fit/table/skin_table.h").empty());
     QVERIFY(included("ui/a.cpp", "a.moc").empty());
   }
 
@@ -135,8 +140,7 @@ class HouseRulesTest : public QObject {
         {"core/skin/far.h", "#include <Eigen/Core>\n"},
         {"core/skin/near.h", "#include \"core/skin/far.h\"\n"},
         {"core/skin/plain.h", "#include \"core/skin/plain.h\"\n#include <array>\n"},
-        {"core/skin/bad.cpp",
-         "#include <hwy/foreach_target.h>\n#include \"core/skin/near.h\"\n"},
+        {"core/skin/bad.cpp", "#include <hwy/foreach_target.h>\n#include \"core/skin/near.h\"\n"},
         {"core/skin/bad-inl.h", "#include \"core/skin/near.h\"\n"},
         {"core/skin/direct-inl.h", "#include <Eigen/Core>\n"},
         {"core/skin/good.cpp", "#include <hwy/foreach_target.h>\n#include \"core/skin/plain.h\"\n"},
@@ -169,7 +173,8 @@ class HouseRulesTest : public QObject {
     QVERIFY(!checkStyle("a.h", std::string("// X") + "XX\n").empty());
     QVERIFY(checkStyle("a.h", "path = \"cutis-XXXXXX\"; // " + word + "S\n").empty());
     std::string longText;
-    for (int i = 0; i < kMaximumLines; ++i) longText += "\n";
+    for (int i = 0; i < kMaximumLines; ++i)
+      longText += "\n";
     QVERIFY(checkStyle("a.h", longText).empty());
     QCOMPARE(checkStyle("a.h", longText + "\n").size(), std::size_t{1});
   }

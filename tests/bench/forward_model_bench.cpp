@@ -1,12 +1,12 @@
 // Run time of the vectorised forward model, per pixel, at 12 nodes spread over the visible.
 
-#include <benchmark/benchmark.h>
-
 #include <array>
 #include <vector>
 
-#include "core/skin/parameter_sampling.h"
-#include "core/skin/reflectance_batch.h"
+#include <benchmark/benchmark.h>
+
+#include "core/skin/model/reflectance_batch.h"
+#include "core/skin/profile/parameter_sampling.h"
 #include "tests/support/models.h"
 
 namespace cutis {
@@ -26,7 +26,7 @@ struct Fixture {
     }
     batch.count = kPixels;
   }
-  NodeModel model;
+  CompiledModel model;
   std::array<std::vector<float>, kParameterCount> columns;
   ParameterBatch<float> batch;
   std::vector<float> value = std::vector<float>(kPixels * kNodes.size());

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "src/files/profile_file.h"
+#include "src/files/profiles/profile_file.h"
 #include "src/files/rig_file.h"
 #include "src/files/spectral_library.h"
 
@@ -36,13 +36,17 @@ const Rig& albedoRig() {
   return rig;
 }
 
-Spectrum light(const std::string& name) { return require(loadLight({name, {}, "test"})); }
+Spectrum light(const std::string& name) {
+  return require(loadLight({name, {}, "test"}));
+}
 
 const Sensor& cie1931() {
   static const Camera observer = require(loadCamera({"cie1931", {}, "test"}));
   return observer.sensor;
 }
 
-Eigen::Vector3d daylightWhite() { return whitePoint(light("D65"), cie1931()); }
+Eigen::Vector3d daylightWhite() {
+  return whitePoint(light("D65"), cie1931());
+}
 
 }  // namespace cutis::test

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/rig/rig.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/skin_model.h"
 #include "core/spectra/colorimetry.h"
 
 namespace cutis::test {

@@ -1,6 +1,5 @@
-#include <unistd.h>
-
 #include <cstdlib>
+#include <unistd.h>
 
 #include "tests/support/scratch_folder.h"
 

@@ -1,8 +1,9 @@
 #include "tests/support/test_registry.h"
 
-#include <QtTest>
 #include <utility>
 #include <vector>
+
+#include <QtTest>
 
 namespace cutis::test {
 namespace {
@@ -20,7 +21,8 @@ Registration::Registration(std::function<std::unique_ptr<QObject>()> make) {
 
 int runAll(int argc, char** argv) {
   int failures = 0;
-  for (const auto& make : registered()) failures += QTest::qExec(make().get(), argc, argv);
+  for (const auto& make : registered())
+    failures += QTest::qExec(make().get(), argc, argv);
   return failures == 0 ? 0 : 1;
 }
 

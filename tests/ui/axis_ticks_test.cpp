@@ -1,4 +1,4 @@
-#include "ui/axis_ticks.h"
+#include "ui/plot/axis_ticks.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // Ottosson 2020 for OKLab; Viénot, Brettel and Mollon 1999 for simulated deuteranopia.
 
-#include "ui/color_scale.h"
+#include "ui/view/color_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
-#include "ui/oklab.h"
+#include "ui/view/oklab.h"
 
 namespace cutis {
 namespace {

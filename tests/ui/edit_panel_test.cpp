@@ -1,4 +1,4 @@
-#include "ui/edit_panel.h"
+#include "ui/docks/edit_panel.h"
 
 #include <QCheckBox>
 #include <QPushButton>
@@ -6,7 +6,7 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
-#include "ui/neutral_slider.h"
+#include "ui/widgets/neutral_slider.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/error_table.h"
+#include "ui/widgets/error_table.h"
 
 #include <QLabel>
 #include <QtTest>

@@ -1,4 +1,4 @@
-#include "ui/fit_panel.h"
+#include "ui/docks/fit_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -10,19 +10,19 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/usual_training.h"
-#include "src/files/network_file.h"
+#include "src/app/training/usual_training.h"
+#include "src/files/networks/network_file.h"
 #include "src/files/resources.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
-#include "ui/fit_controller.h"
-#include "ui/main_window.h"
-#include "ui/neutral_slider.h"
-#include "ui/progress_strip.h"
-#include "ui/training_controller.h"
-#include "ui/training_dialog.h"
-#include "ui/viewport.h"
+#include "ui/dialogs/training_controller.h"
+#include "ui/dialogs/training_dialog.h"
+#include "ui/docks/fit_controller.h"
+#include "ui/view/viewport.h"
+#include "ui/widgets/neutral_slider.h"
+#include "ui/widgets/progress_strip.h"
+#include "ui/window/main_window.h"
 
 namespace cutis {
 namespace {

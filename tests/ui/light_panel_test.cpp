@@ -1,4 +1,4 @@
-#include "ui/light_panel.h"
+#include "ui/docks/light_panel.h"
 
 #include <QComboBox>
 #include <QSignalSpy>

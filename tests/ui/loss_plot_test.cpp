@@ -1,4 +1,4 @@
-#include "ui/loss_plot.h"
+#include "ui/plot/loss_plot.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace cutis {
 namespace {

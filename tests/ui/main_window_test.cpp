@@ -1,6 +1,6 @@
 // The window as a person uses it: mouse and keys, on the embedded sample.
 
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -10,12 +10,12 @@
 
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
-#include "ui/layer_controller.h"
-#include "ui/layer_strip.h"
-#include "ui/neutral_slider.h"
-#include "ui/progress_strip.h"
-#include "ui/spectrum_plot.h"
-#include "ui/viewport.h"
+#include "ui/plot/spectrum_plot.h"
+#include "ui/view/view_controller.h"
+#include "ui/view/view_strip.h"
+#include "ui/view/viewport.h"
+#include "ui/widgets/neutral_slider.h"
+#include "ui/widgets/progress_strip.h"
 
 namespace cutis {
 namespace {
@@ -48,7 +48,7 @@ class MainWindowTest : public QObject {
     QVERIFY(statistics.pixels.noConvergence < statistics.pixels.total / 1000);
     QVERIFY(window_->windowTitle().contains("Sample"));
     // Every layer has been drawn.
-    auto* strip = window_->findChild<LayerStrip*>();
+    auto* strip = window_->findChild<ViewStrip*>();
     QCOMPARE(strip->count(), 10);
   }
 
@@ -79,7 +79,7 @@ class MainWindowTest : public QObject {
     }
     QTest::mouseRelease(slider, Qt::LeftButton, {}, middle + QPoint(40, 0));
     waitUntilIdle();
-    QCOMPARE(window_->layers().current(), LayerKind::editedAlbedo);
+    QCOMPARE(window_->layers().current(), ViewKind::editedAlbedo);
     const double factor = slider->number();
     QVERIFY(factor > 1.1);
     QVERIFY(window_->viewport().grab().toImage() != before);
@@ -104,7 +104,7 @@ class MainWindowTest : public QObject {
     QVERIFY(button != nullptr);
     QTest::mouseClick(button, Qt::LeftButton);
     waitUntilIdle();
-    QCOMPARE(window_->layers().current(), LayerKind::ultraviolet);
+    QCOMPARE(window_->layers().current(), ViewKind::ultraviolet);
     // Shown in grey.
     const QImage picture = window_->viewport().grab().toImage();
     const QPoint cheek = window_->viewport().toWidget({400, 400}).toPoint();
@@ -125,7 +125,7 @@ class MainWindowTest : public QObject {
     QTest::keyClicks(lights, "A");
     waitUntilIdle();
     QCOMPARE(lights->currentText(), "A");
-    QCOMPARE(window_->layers().current(), LayerKind::skin);
+    QCOMPARE(window_->layers().current(), ViewKind::skin);
   }
 
   void theEditedAlbedoIsExported() {

@@ -1,4 +1,4 @@
-#include "ui/parameter_slider.h"
+#include "ui/widgets/parameter_slider.h"
 
 #include <memory>
 
@@ -8,7 +8,7 @@
 
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
-#include "ui/neutral_slider.h"
+#include "ui/widgets/neutral_slider.h"
 
 namespace cutis {
 namespace {

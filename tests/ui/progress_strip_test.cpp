@@ -1,4 +1,4 @@
-#include "ui/progress_strip.h"
+#include "ui/widgets/progress_strip.h"
 
 #include <QProgressBar>
 #include <QSignalSpy>

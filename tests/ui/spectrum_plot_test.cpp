@@ -1,4 +1,4 @@
-#include "ui/spectrum_plot.h"
+#include "ui/plot/spectrum_plot.h"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "core/spectra/grid.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 namespace cutis {
 namespace {

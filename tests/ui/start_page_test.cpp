@@ -1,4 +1,4 @@
-#include "ui/start_page.h"
+#include "ui/window/start_page.h"
 
 #include <QDropEvent>
 #include <QMimeData>
@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
-#include "ui/recent_list.h"
+#include "ui/widgets/recent_list.h"
 
 namespace cutis {
 namespace {

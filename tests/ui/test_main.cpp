@@ -1,7 +1,7 @@
 #include <QApplication>
 
 #include "tests/support/test_registry.h"
-#include "ui/theme.h"
+#include "ui/theme/theme.h"
 
 int main(int argc, char** argv) {
   // Pixels are looked up in pictures of the widgets.

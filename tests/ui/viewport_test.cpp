@@ -1,4 +1,4 @@
-#include "ui/viewport.h"
+#include "ui/view/viewport.h"
 
 #include <cmath>
 #include <memory>

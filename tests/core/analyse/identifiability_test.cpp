@@ -1,13 +1,15 @@
 // What a measurement leaves open, against closed forms and against what must hold anyway.
 
-#include <QtTest>
+#include "core/analyse/identifiability.h"
+
 #include <cmath>
 
-#include "core/analyse/identifiability.h"
+#include <QtTest>
+
+#include "core/evaluate/error_bound.h"
+#include "core/evaluate/error_protocol.h"
 #include "core/fit/population.h"
 #include "core/rig/narrowband.h"
-#include "core/simulate/error_bound.h"
-#include "core/simulate/error_protocol.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -21,8 +23,8 @@ const std::vector<ParameterVector>& people() {
 }
 
 const IdentifiabilityStudy& study() {
-  static const auto made = IdentifiabilityStudy::create(
-      test::li2024(), priorOf(protocolPopulation()), people(), {});
+  static const auto made =
+      IdentifiabilityStudy::create(test::li2024(), priorOf(protocolPopulation()), people(), {});
   return made.value();
 }
 
@@ -94,7 +96,8 @@ class IdentifiabilityTest : public QObject {
     const auto made = IdentifiabilityStudy::create(test::li2024(), prior, people(), {});
     EXPECT_OK(made);
     const Identifiability found = made.value().of(monitorChannels());
-    for (const Spread& spread : found.left) QVERIFY(spread.low > 0.0 && spread.high <= 1.0 + 1e-12);
+    for (const Spread& spread : found.left)
+      QVERIFY(spread.low > 0.0 && spread.high <= 1.0 + 1e-12);
     QVERIFY(found.left[kMelanin].median < 0.5);
   }
 };

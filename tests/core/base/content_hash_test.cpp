@@ -1,8 +1,10 @@
-#include <QtTest>
+#include "core/base/content_hash.h"
+
 #include <array>
 #include <set>
 
-#include "core/base/content_hash.h"
+#include <QtTest>
+
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -13,7 +15,8 @@ class ContentHashTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // XXH3, 128 bits, seed 0, of nothing and of one zero byte (xxHash 0.8, tests/sanity_test_vectors).
+  // XXH3, 128 bits, seed 0, of nothing and of one zero byte (xxHash 0.8,
+  // tests/sanity_test_vectors).
   void isXxh3() {
     QCOMPARE(ContentHash().digest(), std::string("99aa06d3014798d86001c324468d497f"));
     const std::array<std::byte, 1> zero = {};
@@ -23,7 +26,8 @@ class ContentHashTest : public QObject {
 
   void bytesMayComeInPieces() {
     std::array<std::byte, 1000> bytes;
-    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i * 7);
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      bytes[i] = static_cast<std::byte>(i * 7);
     const std::span<const std::byte> all(bytes);
     const std::string whole = ContentHash().add(all).digest();
     for (const std::size_t cut : {0, 1, 255, 999, 1000}) {
@@ -34,11 +38,13 @@ class ContentHashTest : public QObject {
   void textsAreKeptApart() {
     const auto of = [](std::initializer_list<std::string_view> texts) {
       ContentHash hash;
-      for (const std::string_view text : texts) hash.add(text);
+      for (const std::string_view text : texts)
+        hash.add(text);
       return hash.digest();
     };
     const std::set<std::string> digests = {of({"ab", "c"}), of({"a", "bc"}), of({"abc"}),
-                                           of({"", "abc"}), of({"abc", ""}), of({}), of({""})};
+                                           of({"", "abc"}), of({"abc", ""}), of({}),
+                                           of({""})};
     QCOMPARE(digests.size(), std::size_t{7});
     QCOMPARE(of({"ab", "c"}), of({"ab", "c"}));
   }

@@ -1,11 +1,13 @@
-#include <QtTest>
+#include "core/base/half.h"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "core/base/half.h"
+#include <QtTest>
+
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -35,7 +37,9 @@ double definition(std::uint16_t half) {
   return sign * std::ldexp(1024 + fraction, exponent - 25);
 }
 
-bool isNan(std::uint16_t half) { return (half & 0x7fff) > kInfinity; }
+bool isNan(std::uint16_t half) {
+  return (half & 0x7fff) > kInfinity;
+}
 
 class HalfTest : public QObject {
   Q_OBJECT
@@ -111,13 +115,16 @@ class HalfTest : public QObject {
 
   void spansConvertElementByElement() {
     std::vector<float> values;
-    for (int i = 0; i < 1000; ++i) values.push_back(std::sin(static_cast<float>(i)));
+    for (int i = 0; i < 1000; ++i)
+      values.push_back(std::sin(static_cast<float>(i)));
     std::vector<std::uint16_t> halves(values.size());
     convertFloatToHalf(values, halves);
-    for (std::size_t i = 0; i < values.size(); ++i) QCOMPARE(halves[i], toHalf(values[i]));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      QCOMPARE(halves[i], toHalf(values[i]));
     std::vector<float> back(values.size());
     convertHalfToFloat(halves, back);
-    for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(back[i], values[i], 0x1p-12);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      EXPECT_NEAR(back[i], values[i], 0x1p-12);
   }
 };
 

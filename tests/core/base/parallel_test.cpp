@@ -1,12 +1,14 @@
-#include <QtTest>
+#include "core/base/parallel.h"
+
 #include <atomic>
 #include <chrono>
 #include <new>
 #include <thread>
-#include <tbb/global_control.h>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include <QtTest>
+#include <tbb/global_control.h>
+
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -24,7 +26,8 @@ class ParallelTest : public QObject {
         ++calls[i];
         return {};
       }));
-      for (const auto& called : calls) QCOMPARE(called.load(), 1);
+      for (const auto& called : calls)
+        QCOMPARE(called.load(), 1);
     }
   }
 

@@ -1,10 +1,11 @@
 // Many threads on one plane, with a budget so small that tiles come and go all the time.
 
-#include <QtTest>
 #include <algorithm>
 #include <atomic>
 #include <thread>
 #include <vector>
+
+#include <QtTest>
 
 #include "core/base/parallel.h"
 #include "core/base/plane.h"

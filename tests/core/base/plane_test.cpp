@@ -1,10 +1,12 @@
-#include <QtTest>
+#include "core/base/plane.h"
+
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include <QtTest>
+
 #include "core/base/half.h"
-#include "core/base/plane.h"
 #include "core/base/random.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -35,7 +37,8 @@ struct Reference {
   std::vector<float> part(const Rect& rect) {
     std::vector<float> out;
     for (int y = rect.y0; y < rect.y1; ++y) {
-      for (int x = rect.x0; x < rect.x1; ++x) out.push_back(at(x, y));
+      for (int x = rect.x0; x < rect.x1; ++x)
+        out.push_back(at(x, y));
     }
     return out;
   }
@@ -62,7 +65,8 @@ class PlaneTest : public QObject {
         QVERIFY(!tile.empty() && intersection(tile, plane.bounds()) == tile);
         QVERIFY(tile.width() <= Plane::kTileSize && tile.height() <= Plane::kTileSize);
         pixels += tile.pixelCount();
-        for (int j = 0; j < i; ++j) QVERIFY(intersection(tile, plane.tileRect(j)).empty());
+        for (int j = 0; j < i; ++j)
+          QVERIFY(intersection(tile, plane.tileRect(j)).empty());
       }
       QCOMPARE(pixels, plane.bounds().pixelCount());
     }
@@ -88,11 +92,13 @@ class PlaneTest : public QObject {
         const Rect rect = randomRect(random, width, height);
         std::vector<float> values(rect.pixelCount());
         // Integers below 2048 are exact in half.
-        for (float& value : values) value = std::floor(static_cast<float>(random.uniform(-2048, 2048)));
+        for (float& value : values)
+          value = std::floor(static_cast<float>(random.uniform(-2048, 2048)));
         EXPECT_OK(plane.store(rect, values));
         std::size_t i = 0;
         for (int y = rect.y0; y < rect.y1; ++y) {
-          for (int x = rect.x0; x < rect.x1; ++x) reference.at(x, y) = values[i++];
+          for (int x = rect.x0; x < rect.x1; ++x)
+            reference.at(x, y) = values[i++];
         }
         const Rect other = randomRect(random, width, height);
         QVERIFY(loaded(plane, other) == reference.part(other));
@@ -106,7 +112,8 @@ class PlaneTest : public QObject {
     Plane plane(300, 2, PixelFormat::half);
     std::vector<float> values(600);
     Random random(3);
-    for (float& value : values) value = static_cast<float>(random.uniform(-1.0, 1.0));
+    for (float& value : values)
+      value = static_cast<float>(random.uniform(-1.0, 1.0));
     values[5] = 1e6f;
     EXPECT_OK(plane.store(plane.bounds(), values));
     const std::vector<float> read = loaded(plane, plane.bounds());
@@ -130,7 +137,8 @@ class PlaneTest : public QObject {
     const auto store = std::make_shared<TileStore>();
     Plane plane(10000, 10000, PixelFormat::float32, store);
     QCOMPARE(store->statistics().bytesInMemory, std::size_t{0});
-    for (const float value : loaded(plane, {9990, 9990, 10000, 10000})) QCOMPARE(value, 0.0f);
+    for (const float value : loaded(plane, {9990, 9990, 10000, 10000}))
+      QCOMPARE(value, 0.0f);
     QCOMPARE(store->statistics().bytesInMemory, std::size_t{0});
     EXPECT_OK(plane.store({300, 300, 301, 301}, std::vector<float>{5.0f}));
     QCOMPARE(store->statistics().bytesInMemory, std::size_t{256 * 256 * 4});

@@ -1,9 +1,11 @@
-#include <QtTest>
+#include "core/base/random.h"
+
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "core/base/random.h"
+#include <QtTest>
+
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 

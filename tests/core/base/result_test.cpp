@@ -1,19 +1,27 @@
-#include <QtTest>
+#include "core/base/result.h"
+
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <QtTest>
+
 #include "core/base/progress.h"
-#include "core/base/result.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
 namespace {
 
-Result<int> number() { return 42; }
-Result<int> broken() { return inputError("face.exr", "it is torn; use another"); }
-Result<int> stopped() { return Cancelled{}; }
+Result<int> number() {
+  return 42;
+}
+Result<int> broken() {
+  return inputError("face.exr", "it is torn; use another");
+}
+Result<int> stopped() {
+  return Cancelled{};
+}
 
 // Counts how far a chain of steps got.
 Result<std::string> chain(Result<int> first, int& reached) {
@@ -151,7 +159,8 @@ class ProgressTest : public QObject {
   void depthLosesNothing() {
     double last = -1.0;
     Progress progress([&](double f, const std::string&) { last = f; });
-    for (int depth = 0; depth < 20; ++depth) progress = progress.child(0.0, 1.0, "deeper");
+    for (int depth = 0; depth < 20; ++depth)
+      progress = progress.child(0.0, 1.0, "deeper");
     progress.report(0.0);
     EXPECT_NEAR(last, 0.0, 0.0);
     progress.report(1.0);

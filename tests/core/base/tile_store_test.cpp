@@ -1,11 +1,13 @@
-#include <QTemporaryDir>
-#include <QtTest>
+#include "core/base/tile_store.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include <QTemporaryDir>
+#include <QtTest>
+
 #include "core/base/random.h"
-#include "core/base/tile_store.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -89,7 +91,8 @@ class TileStoreTest : public QObject {
     EXPECT_OK(key);
     auto held = store.get(key.value());
     EXPECT_OK(held);
-    for (std::uint64_t i = 2; i < 10; ++i) EXPECT_OK(store.put(tileNumber(i)));
+    for (std::uint64_t i = 2; i < 10; ++i)
+      EXPECT_OK(store.put(tileNumber(i)));
     // Not written: it would have stayed in memory anyway.
     QVERIFY(store.statistics().bytesInMemory <= 2 * kTile);
     QVERIFY(store.get(key.value()).value() == held.value());
@@ -111,15 +114,18 @@ class TileStoreTest : public QObject {
   void removalFreesMemoryAndDisk() {
     TileStore store(2 * kTile);
     std::vector<TileStore::Key> keys;
-    for (std::uint64_t i = 0; i < 10; ++i) keys.push_back(store.put(tileNumber(i)).value());
-    for (const TileStore::Key key : keys) store.remove(key);
+    for (std::uint64_t i = 0; i < 10; ++i)
+      keys.push_back(store.put(tileNumber(i)).value());
+    for (const TileStore::Key key : keys)
+      store.remove(key);
     store.remove(keys.front());  // twice does no harm
     const auto empty = store.statistics();
     QCOMPARE(empty.bytesInMemory, std::size_t{0});
     QCOMPARE(empty.bytesOnDisk, std::size_t{0});
     // Places on disk are used again and hold the new bytes.
     keys.clear();
-    for (std::uint64_t i = 100; i < 110; ++i) keys.push_back(store.put(tileNumber(i)).value());
+    for (std::uint64_t i = 100; i < 110; ++i)
+      keys.push_back(store.put(tileNumber(i)).value());
     for (std::uint64_t i = 0; i < 10; ++i) {
       QVERIFY(*store.get(keys[i]).value() == tileNumber(100 + i));
     }
@@ -161,7 +167,8 @@ class SpillFileTest : public QObject {
     const QTemporaryDir folder;
     qputenv("TMPDIR", folder.path().toUtf8());
     TileStore store(kTile);
-    for (std::uint64_t i = 0; i < 5; ++i) EXPECT_OK(store.put(tileNumber(i)));
+    for (std::uint64_t i = 0; i < 5; ++i)
+      EXPECT_OK(store.put(tileNumber(i)));
     QVERIFY(store.statistics().bytesOnDisk > 0);
     QVERIFY(QDir(folder.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
   }

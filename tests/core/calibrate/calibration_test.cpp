@@ -1,5 +1,5 @@
-// Constants that made spectra are found from the spectra again, bounds and pull hold, and the prior of
-// a population is that of its people.
+// Constants that made spectra are found from the spectra again, bounds and pull hold, and the prior
+// of a population is that of its people.
 
 #include "core/calibrate/calibration.h"
 
@@ -10,8 +10,8 @@
 #include "core/base/random.h"
 #include "core/calibrate/population_prior.h"
 #include "core/fit/population.h"
-#include "core/skin/measured_model.h"
-#include "src/files/profile_file.h"
+#include "core/skin/model/instrument_model.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -42,7 +42,7 @@ std::vector<int> everyTenNm(int fromNm, int toNm) {
 
 SpectraSet spectraOf(const CalibrationPoint& point, const std::vector<ParameterVector>& people) {
   const SkinModel skin(point.profile);
-  const MeasuredModel model(skin, point.geometries[0]);
+  const InstrumentModel model(skin, point.geometries[0]);
   SpectraSet set;
   set.samples = everyTenNm(340, 960);
   set.measured.resize(static_cast<Eigen::Index>(set.samples.size()),
@@ -118,7 +118,8 @@ class CalibrationTest : public QObject {
   void noiseDoesNotLeadAstray() {
     SpectraSet noisy = set_;
     Random random(3);
-    for (double& value : noisy.measured.reshaped()) value += 0.002 * random.normal();
+    for (double& value : noisy.measured.reshaped())
+      value += 0.002 * random.normal();
     const auto found = calibrate(problemOf(profile_, noisy), kStart, {});
     QVERIFY(bool(found));
     for (std::size_t k = 0; k < kTruth.size(); ++k) {

@@ -1,10 +1,12 @@
-#include <QtTest>
+#include "core/edit/edit_stack.h"
+
 #include <cmath>
 #include <cstring>
 #include <limits>
 
+#include <QtTest>
+
 #include "core/base/random.h"
-#include "core/edit/edit_stack.h"
 #include "core/skin/pixel_state.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -16,7 +18,9 @@ namespace {
 constexpr int kWidth = 300, kHeight = 280;
 constexpr Rect kAll = {0, 0, kWidth, kHeight};
 
-const ParameterAxes& axes() { return test::li2024().profile().axes; }
+const ParameterAxes& axes() {
+  return test::li2024().profile().axes;
+}
 
 // Random skin; every seventh pixel is masked, every eleventh hard.
 ChromophoreMaps randomMaps() {
@@ -30,7 +34,8 @@ ChromophoreMaps randomMaps() {
     states[i] = static_cast<float>(state);
   }
   for (std::size_t k = 0; k < kParameterCount; ++k) {
-    for (float& value : values) value = static_cast<float>(random.uniform(0, axes()[k].maximum));
+    for (float& value : values)
+      value = static_cast<float>(random.uniform(0, axes()[k].maximum));
     static_cast<void>(maps.values[k].store(kAll, values));
   }
   static_cast<void>(maps.state.store(kAll, states));
@@ -47,7 +52,8 @@ Plane maskOf(const std::function<float(int, int)>& value) {
   Plane mask(kWidth, kHeight, PixelFormat::half);
   std::vector<float> values;
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) values.push_back(value(x, y));
+    for (int x = 0; x < kWidth; ++x)
+      values.push_back(value(x, y));
   }
   static_cast<void>(mask.store(kAll, values));
   return mask;
@@ -131,7 +137,8 @@ class EditStackTest : public QObject {
     for (std::size_t i = 0; i < addedFirst.count(); ++i) {
       if (!addedFirst.present[i]) continue;
       const double c = double{original_.values[kMelanin][i]};
-      EXPECT_NEAR(addedFirst.values[kMelanin][i], std::min(0.5, 2.0 * std::min(0.5, c + 0.1)), 1e-6);
+      EXPECT_NEAR(addedFirst.values[kMelanin][i], std::min(0.5, 2.0 * std::min(0.5, c + 0.1)),
+                  1e-6);
       EXPECT_NEAR(doubledFirst.values[kMelanin][i], std::min(0.5, std::min(0.5, 2.0 * c) + 0.1),
                   1e-6);
     }
@@ -170,7 +177,8 @@ class EditStackTest : public QObject {
   // Any rectangle, and any step between pixels, shows the same pixels.
   void partsAgreeWithTheWhole() {
     Edit edit = scaled(kHaemoglobinEpidermal, 1.9);
-    edit.mask = maskOf([](int x, int y) { return static_cast<float>((x * 7 + y * 3) % 100) / 100; });
+    edit.mask =
+        maskOf([](int x, int y) { return static_cast<float>((x * 7 + y * 3) % 100) / 100; });
     edit.opacity = 0.6;
     const EditStack stack = {edit, scaled(kMelanin, 1.2)};
     const ParameterBuffer whole = apply(stack);
@@ -205,7 +213,8 @@ class EditStackTest : public QObject {
       const ParameterBuffer edited = apply({edit});
       for (std::size_t k = 0; k < kParameterCount; ++k) {
         const auto maximum = static_cast<float>(axes()[k].maximum);
-        for (const float value : edited.values[k]) QVERIFY(value >= 0.0f && value <= maximum);
+        for (const float value : edited.values[k])
+          QVERIFY(value >= 0.0f && value <= maximum);
       }
     }
   }

@@ -1,9 +1,10 @@
 // INTERFACES.md, edit factors: melanin, blend and carotene scale linearly; the haemoglobins by
 // index, C · (1 + (s − 1) · i/N) with i/N = (C/0.5)^⅓ dermal and C/0.3 epidermal.
 
-#include <QtTest>
 #include <algorithm>
 #include <cmath>
+
+#include <QtTest>
 
 #include "core/edit/edit_stack.h"
 #include "tests/support/expect.h"

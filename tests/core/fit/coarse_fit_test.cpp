@@ -3,7 +3,7 @@
 #include <QtTest>
 
 #include "core/fit/fit_run.h"
-#include "core/fit/refined_solver.h"
+#include "core/fit/refined/refined_solver.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/core/fit/picture_fixture.h"
 #include "tests/support/expect.h"
@@ -38,7 +38,10 @@ class CoarseFitTest : public QObject {
 
   void whatIsNotToBeSolvedStaysEmpty() {
     const Measurements picture = test::photograph(
-        test::albedoRig(), 64, 40, [](int, int) { return std::vector<float>{0.4f, 0.35f, 0.2f}; },
+        test::albedoRig(), 64, 40,
+        [](int, int) {
+          return std::vector<float>{0.4f, 0.35f, 0.2f};
+        },
         [](int x, int y) {
           if (x < 16 && y < 16) return x + y == 0 ? PixelState::masked : PixelState::solved;
           return x == 20 ? PixelState::saturated : PixelState::solved;

@@ -1,15 +1,16 @@
 // The prior in the coordinates of the fit, and parameters that go together.
 
-#include <QtTest>
+#include "core/fit/coordinate_prior.h"
+
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <QtTest>
 
-#include "core/fit/coordinate_prior.h"
-#include "core/fit/map_estimator.h"
 #include "core/fit/population.h"
-#include "core/fit/refined_solver.h"
-#include "core/skin/model_nodes.h"
+#include "core/fit/reference/map_estimator.h"
+#include "core/fit/refined/refined_solver.h"
+#include "core/skin/model/choose_nodes.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -67,7 +68,8 @@ class CoordinatePriorTest : public QObject {
     fixed.fill(0.001);
     const CoordinatePrior found =
         coordinatePrior(correlatedPrior(), test::li2024().profile().axes, fixed);
-    for (int i = 0; i < kParameterCount; ++i) QCOMPARE(found.mean[i], 0.001);
+    for (int i = 0; i < kParameterCount; ++i)
+      QCOMPARE(found.mean[i], 0.001);
   }
 
   // The fast fit and the plain one share the same correlated prior.
@@ -80,7 +82,7 @@ class CoordinatePriorTest : public QObject {
     const test::PixelSet pixels =
         test::simulate(rig, drawPopulation(protocolPopulation(), 300, 31), 0.005);
     const test::Solutions solutions = test::solve(*solver, pixels);
-    const MapEstimator reference(test::li2024(), chooseModelNodes(test::li2024(), responseRows(rig)),
+    const MapEstimator reference(test::li2024(), chooseNodes(test::li2024(), responseRows(rig)),
                                  {prior, rig.noise, {}, 200});
     int far = 0;
     for (std::size_t i = 0; i < pixels.count; ++i) {

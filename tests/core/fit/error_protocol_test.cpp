@@ -1,12 +1,13 @@
 // FITTING.md, error protocol (the paper's Table 1, made reproducible), monitor rig.
 
-#include <QtTest>
 #include <functional>
 #include <memory>
 
+#include <QtTest>
+
 #include "core/fit/population.h"
-#include "core/fit/refined_solver.h"
-#include "core/fit/search_solver.h"
+#include "core/fit/refined/refined_solver.h"
+#include "core/fit/table/search_solver.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"

@@ -1,7 +1,8 @@
 #include "tests/core/fit/fit_fixture.h"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include <Eigen/LU>
 
 #include "core/base/random.h"
 #include "core/fit/population.h"
@@ -113,8 +114,7 @@ ParameterVector Objective::parameters(const ParameterVector& coordinates) const 
 Eigen::VectorXd Objective::modelled(const ParameterVector& parameters) const {
   Eigen::VectorXd reflectance(static_cast<Eigen::Index>(nodes.samples.size()));
   for (Eigen::Index n = 0; n < reflectance.size(); ++n) {
-    reflectance[n] =
-        model.reflectanceAt(nodes.samples[static_cast<std::size_t>(n)], parameters);
+    reflectance[n] = model.reflectanceAt(nodes.samples[static_cast<std::size_t>(n)], parameters);
   }
   return nodes.weights * reflectance;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the tests of fitting share: the table of the monitor rig, simulated pixels, and the objective
-// of the fit written down once more, the plain way.
+// What the tests of fitting share: the table of the monitor rig, simulated pixels, and the
+// objective of the fit written down once more, the plain way.
 
 #include <memory>
 #include <optional>
@@ -11,9 +11,9 @@
 
 #include "core/fit/fit_options.h"
 #include "core/fit/pixel_solver.h"
-#include "core/fit/table_search.h"
+#include "core/fit/table/table_search.h"
 #include "core/rig/rig.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/skin_model.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis::test {
@@ -52,7 +52,7 @@ double visibleError(const ParameterVector& a, const ParameterVector& b);
 // A linear prior: mean and spread of the error protocol's uniform population.
 Prior populationPrior();
 
-// Σ (y − f(x))² / σ² + Σ (x − μ)² / s², see core/fit/map_estimator.h.
+// Σ (y − f(x))² / σ² + Σ (x − μ)² / s², see core/fit/reference/map_estimator.h.
 struct Objective {
   const SkinModel& model;
   SpectralNodes nodes;

@@ -1,14 +1,15 @@
 // FITTING.md: duplicates, crops, tiles, tile order and thread counts agree bit for bit.
 
-#include <QtTest>
 #include <cmath>
 #include <cstring>
+
+#include <QtTest>
 #include <tbb/global_control.h>
 
 #include "core/base/random.h"
 #include "core/fit/fit_run.h"
 #include "core/fit/pixel_grouping.h"
-#include "core/fit/refined_solver.h"
+#include "core/fit/refined/refined_solver.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/core/fit/picture_fixture.h"
 #include "tests/support/expect.h"
@@ -25,8 +26,7 @@ FitOptions allOutputs() {
 }
 
 const PixelSolver& solver() {
-  static const auto made =
-      makeRefinedSolver(test::sharedModel(), test::monitorRig(), allOutputs());
+  static const auto made = makeRefinedSolver(test::sharedModel(), test::monitorRig(), allOutputs());
   return *made;
 }
 
@@ -44,10 +44,12 @@ bool sameBytes(const std::vector<float>& a, const std::vector<float>& b) {
 Measurements mixedPhotograph(int width, int height) {
   const Measurements skin = test::skinPhotograph(test::monitorRig(), width, height);
   std::vector<std::vector<float>> rows;
-  for (const Plane& channel : skin.channels) rows.push_back(test::pixelsOf(channel));
+  for (const Plane& channel : skin.channels)
+    rows.push_back(test::pixelsOf(channel));
   const auto at = [&](int x, int y) {
     std::vector<float> pixel;
-    for (const auto& row : rows) pixel.push_back(row[std::size_t(y) * std::size_t(width) + std::size_t(x)]);
+    for (const auto& row : rows)
+      pixel.push_back(row[std::size_t(y) * std::size_t(width) + std::size_t(x)]);
     return pixel;
   };
   return test::photograph(
@@ -140,7 +142,8 @@ class FitRunDeterminismTest : public QObject {
     const auto run = runFit(picture, solver(), planes, {});
     EXPECT_OK(run);
     std::vector<std::vector<float>> residuals;
-    for (const Plane& plane : planes.residuals) residuals.push_back(test::pixelsOf(plane));
+    for (const Plane& plane : planes.residuals)
+      residuals.push_back(test::pixelsOf(plane));
     std::vector<double> sampled;
     for (int y = 0; y < 300; y += 8) {
       for (int x = 0; x < 300; x += 8) {
@@ -154,7 +157,8 @@ class FitRunDeterminismTest : public QObject {
     }
     std::sort(sampled.begin(), sampled.end());
     double mean = 0.0;
-    for (const double r : sampled) mean += r / double(sampled.size());
+    for (const double r : sampled)
+      mean += r / double(sampled.size());
     EXPECT_NEAR(run.value().meanResidual, mean, 1e-6 * mean);
     QVERIFY(run.value().residual95 >= sampled[sampled.size() * 94 / 100]);
     QVERIFY(run.value().residual95 <= sampled[sampled.size() * 96 / 100]);
@@ -183,7 +187,8 @@ class PixelGroupingTest : public QObject {
         channels.push_back(std::floor(static_cast<float>(random.uniform(0, colours))));
       }
       std::vector<std::uint32_t> pixels;
-      for (std::uint32_t i = 0; i < kCount; i += 1 + i % 2) pixels.push_back(i);
+      for (std::uint32_t i = 0; i < kCount; i += 1 + i % 2)
+        pixels.push_back(i);
       const PixelGrouping grouping = groupEqualPixels(channels.data(), 2, kCount, pixels);
       QCOMPARE(grouping.groupOf.size(), pixels.size());
       QVERIFY(std::is_sorted(grouping.representatives.begin(), grouping.representatives.end()));

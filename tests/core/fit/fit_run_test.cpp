@@ -1,13 +1,14 @@
 // Which pixels of a picture are solved, how often, and what is said about it.
 
-#include <QtTest>
+#include "core/fit/fit_run.h"
+
 #include <atomic>
 #include <limits>
 #include <mutex>
 
+#include <QtTest>
 #include <tbb/global_control.h>
 
-#include "core/fit/fit_run.h"
 #include "core/fit/tile_order.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/core/fit/picture_fixture.h"
@@ -68,8 +69,8 @@ class FitRunTest : public QObject {
       if (y == 13) return PixelState::invalid;
       return x == 0 ? PixelState::noConvergence : PixelState::solved;
     };
-    const Measurements picture =
-        test::photograph(test::albedoRig(), 300, 290, [](int x, int y) { return skin(x, y); }, state);
+    const Measurements picture = test::photograph(
+        test::albedoRig(), 300, 290, [](int x, int y) { return skin(x, y); }, state);
     const CountingSolver solver;
     const FitPlanes planes(picture, {}, nullptr);
     const auto statistics = runFit(picture, solver, planes, {});
@@ -92,17 +93,22 @@ class FitRunTest : public QObject {
   }
 
   void whatIsNotSolvedStaysZero() {
-    const auto state = [](int x, int y) { return (x + y) % 2 ? PixelState::masked : PixelState::solved; };
-    const Measurements picture =
-        test::photograph(test::albedoRig(), 40, 30, [](int x, int y) { return skin(x, y); }, state);
+    const auto state = [](int x, int y) {
+      return (x + y) % 2 ? PixelState::masked : PixelState::solved;
+    };
+    const Measurements picture = test::photograph(
+        test::albedoRig(), 40, 30, [](int x, int y) { return skin(x, y); }, state);
     FitOptions options;
     options.deviations = options.residuals = true;
     FitPlanes planes(picture, options, nullptr);
     // Something old is there.
     const std::vector<float> old(40 * 30, 9.0f);
-    for (Plane& plane : planes.maps.values) EXPECT_OK(plane.store(plane.bounds(), old));
-    for (Plane& plane : planes.deviations) EXPECT_OK(plane.store(plane.bounds(), old));
-    for (Plane& plane : planes.residuals) EXPECT_OK(plane.store(plane.bounds(), old));
+    for (Plane& plane : planes.maps.values)
+      EXPECT_OK(plane.store(plane.bounds(), old));
+    for (Plane& plane : planes.deviations)
+      EXPECT_OK(plane.store(plane.bounds(), old));
+    for (Plane& plane : planes.residuals)
+      EXPECT_OK(plane.store(plane.bounds(), old));
     EXPECT_OK(runFit(picture, CountingSolver(), planes, {}));
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       const std::vector<float> values = test::pixelsOf(planes.maps.values[k]);
@@ -110,8 +116,7 @@ class FitRunTest : public QObject {
       for (int i = 0; i < 40 * 30; ++i) {
         const int x = i % 40, y = i / 40;
         const auto at = static_cast<std::size_t>(i);
-        const float expected =
-            (x + y) % 2 ? 0.0f : static_cast<float>(k + 1) * skin(x, y)[k % 3];
+        const float expected = (x + y) % 2 ? 0.0f : static_cast<float>(k + 1) * skin(x, y)[k % 3];
         QCOMPARE(values[at], expected);
         QCOMPARE(deviations[at], expected / 8.0f);
       }
@@ -168,9 +173,8 @@ class FitRunTest : public QObject {
 
   // 8-bit textures: few colours, each solved once a tile.
   void equalPixelsAreSolvedOnce() {
-    const Measurements picture = test::photograph(test::albedoRig(), 256, 256, [](int x, int y) {
-      return skin(x / 16, y / 16);
-    });
+    const Measurements picture = test::photograph(
+        test::albedoRig(), 256, 256, [](int x, int y) { return skin(x / 16, y / 16); });
     const CountingSolver solver;
     const FitPlanes planes(picture, {}, nullptr);
     const auto statistics = runFit(picture, solver, planes, {});
@@ -214,7 +218,8 @@ class FitRunTest : public QObject {
     std::size_t pixels = 0;
     for (std::size_t i = 0; i < finished.size(); ++i) {
       pixels += finished[i].pixelCount();
-      for (std::size_t j = 0; j < i; ++j) QVERIFY(intersection(finished[i], finished[j]).empty());
+      for (std::size_t j = 0; j < i; ++j)
+        QVERIFY(intersection(finished[i], finished[j]).empty());
     }
     QCOMPARE(pixels, std::size_t{600 * 300});
   }
@@ -248,8 +253,8 @@ class FitRunTest : public QObject {
   }
 
   void nothingToSolveIsFine() {
-    const Measurements picture =
-        test::photograph(test::albedoRig(), 5, 5, [](int, int) { return std::vector<float>(3, 0.0f); });
+    const Measurements picture = test::photograph(
+        test::albedoRig(), 5, 5, [](int, int) { return std::vector<float>(3, 0.0f); });
     const auto statistics = runFit(picture, CountingSolver(), FitPlanes(picture, {}, nullptr), {});
     EXPECT_OK(statistics);
     QCOMPARE(statistics.value().pixels.invalid, std::uint64_t{25});

@@ -1,6 +1,6 @@
 // Constants found per pixel: round trips through simulated captures under many lights.
 
-#include "core/fit/free_solver.h"
+#include "core/fit/free/free_solver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include <QtTest>
 
-#include "core/fit/constants_prior.h"
-#include "core/fit/refined_solver.h"
+#include "core/fit/free/free_prior.h"
+#include "core/fit/refined/refined_solver.h"
 #include "tests/core/fit/many_light_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -160,7 +160,7 @@ class FreeSolverTest : public QObject {
       options.noise = kUsual;
       const auto five =
           test::solve(*makeRefinedSolver(model, test::manyLightRig(), options), pixels);
-      const ConstantsPrior prior = usualConstantsPrior(model->profile());
+      const FreePrior prior = usualConstantsPrior(model->profile());
       for (int k = 0; k < 7; ++k) {
         std::vector<double> away;
         for (std::size_t i = 0; i < people.size(); ++i) {

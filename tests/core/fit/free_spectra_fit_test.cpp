@@ -1,4 +1,4 @@
-#include "core/fit/free_spectra_fit.h"
+#include "core/fit/spectra/free_spectra_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 
 #include <QtTest>
 
-#include "core/fit/free_misfit.h"
-#include "core/skin/absorption.h"
-#include "core/skin/layer_fit.h"
-#include "core/skin/layer_table.h"
-#include "src/files/profile_file.h"
+#include "core/fit/spectra/free_misfit.h"
+#include "core/skin/layers/polynomial_fit.h"
+#include "core/skin/layers/table.h"
+#include "core/skin/profile/absorption.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -83,15 +83,14 @@ std::vector<double> spectraOf(const Profile& profile, const std::vector<Person>&
     const EpidermalAbsorption upper = epidermalAbsorption(own);
     const DermalAbsorption lower = dermalAbsorption(own);
     const bool diffuses = own.layerOptics == LayerOpticsKind::diffusion;
-    const auto optics =
-        diffuses ? makeDiffusionOptics(own)
-                 : makeTabulatedOptics(std::make_shared<const LayerTable>(
-                       LayerTable::make(own, samples).value()));
+    const auto optics = diffuses ? makeDiffusionOptics(own)
+                                 : makeTabulatedOptics(std::make_shared<const LayerTable>(
+                                       LayerTable::make(own, samples).value()));
     for (const int sample : samples) {
-      values.push_back(
-          optics->reflectance(sample, epidermalAbsorptionAt(upper, sample, person.parameters),
-                              dermalAbsorptionAt(lower, sample, person.parameters)) +
-          noise * normal(random));
+      values.push_back(optics->reflectance(sample,
+                                           epidermalAbsorptionAt(upper, sample, person.parameters),
+                                           dermalAbsorptionAt(lower, sample, person.parameters)) +
+                       noise * normal(random));
     }
   }
   return values;
@@ -142,8 +141,7 @@ class FreeSpectraFitTest : public QObject {
     for (const SkinModel* model : {&test::li2024(), &skin2026()}) {
       const ParameterAxes& axes = model->profile().axes;
       for (const double edgeLoss : {0.0, 0.4}) {
-        const auto misfit =
-            Misfit::make(*model, wavelengths(), {true, true}, edgeLoss, {}).value();
+        const auto misfit = Misfit::make(*model, wavelengths(), {true, true}, edgeLoss, {}).value();
         const std::vector<double> measured(wavelengths().size(), 0.3);
         Misfit::Set set;
         set << 0.05, 0.4, 0.06, 0.03, 0.002, 0.55, 0.45;

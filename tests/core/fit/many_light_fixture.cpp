@@ -7,10 +7,10 @@
 
 #include "core/base/random.h"
 #include "core/fit/population.h"
-#include "core/skin/absorption.h"
-#include "core/skin/layer_fit.h"
-#include "core/skin/layer_table.h"
-#include "src/files/profile_file.h"
+#include "core/skin/layers/polynomial_fit.h"
+#include "core/skin/layers/table.h"
+#include "core/skin/profile/absorption.h"
+#include "src/files/profiles/profile_file.h"
 
 namespace cutis::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/rig/rig.h"
-#include "core/skin/free_constants.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/skin_model.h"
+#include "core/skin/profile/free_constants.h"
 #include "tests/core/fit/fit_fixture.h"
 
 namespace cutis::test {

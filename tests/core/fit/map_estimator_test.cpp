@@ -1,10 +1,12 @@
-#include <QtTest>
+#include "core/fit/reference/map_estimator.h"
+
 #include <cmath>
 #include <limits>
 
-#include "core/fit/map_estimator.h"
+#include <QtTest>
+
 #include "core/fit/population.h"
-#include "core/skin/model_nodes.h"
+#include "core/skin/model/choose_nodes.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -13,17 +15,20 @@
 namespace cutis {
 namespace {
 
-const SkinModel& model() { return test::li2024(); }
+const SkinModel& model() {
+  return test::li2024();
+}
 
 const SpectralNodes& monitorNodes() {
-  static const SpectralNodes nodes = chooseModelNodes(model(), responseRows(test::monitorRig()));
+  static const SpectralNodes nodes = chooseNodes(model(), responseRows(test::monitorRig()));
   return nodes;
 }
 
 // Every sample of the visible, each its own channel: a spectrometer.
 SpectralNodes spectrometer() {
   SpectralNodes nodes;
-  for (int i = kVisibleBand.first; i <= kVisibleBand.last; ++i) nodes.samples.push_back(i);
+  for (int i = kVisibleBand.first; i <= kVisibleBand.last; ++i)
+    nodes.samples.push_back(i);
   nodes.weights = Eigen::MatrixXd::Identity(kVisibleBand.count(), kVisibleBand.count());
   return nodes;
 }
@@ -35,7 +40,9 @@ EstimatorOptions withPrior(const Prior& prior, NoiseModel noise = {}) {
   return options;
 }
 
-std::vector<Prior> bothPriors() { return {model().profile().prior, test::populationPrior()}; }
+std::vector<Prior> bothPriors() {
+  return {model().profile().prior, test::populationPrior()};
+}
 
 // d cost / d coordinate by central differences.
 double slope(const test::Objective& objective, const Eigen::VectorXd& channels,

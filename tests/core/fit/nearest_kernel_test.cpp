@@ -1,12 +1,14 @@
-#include <QtTest>
+#include "core/fit/table/nearest_kernel.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include <QtTest>
+
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
-#include "core/fit/nearest_kernel.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -65,7 +67,8 @@ Nearest naive(const NearestArguments& arguments, Nearest best) {
 
 std::array<float, kMaximumFeatures> randomQuery(Random& random, int levels) {
   std::array<float, kMaximumFeatures> query;
-  for (float& value : query) value = static_cast<float>(std::floor(random.uniform(0.0, levels)));
+  for (float& value : query)
+    value = static_cast<float>(std::floor(random.uniform(0.0, levels)));
   return query;
 }
 
@@ -77,7 +80,8 @@ class NearestKernelTest : public QObject {
 
   void instructionSets() {
     QTest::addColumn<QString>("instructionSet");
-    for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) QTest::newRow(name) << name;
+    for (const char* name : {"scalar", "sse4", "avx2", "avx512"})
+      QTest::newRow(name) << name;
   }
 
   // With few levels nearly every query has ties, in all lanes and blocks.
@@ -99,8 +103,8 @@ class NearestKernelTest : public QObject {
         arguments.blockCount = 1 + static_cast<std::size_t>(random.uniform(0, 20));
         const std::size_t extent =
             (arguments.blockCount - 1) * arguments.blockStride + arguments.blockSize;
-        arguments.first = static_cast<std::size_t>(
-            random.uniform(0, static_cast<double>(kEntries - extent)));
+        arguments.first =
+            static_cast<std::size_t>(random.uniform(0, static_cast<double>(kEntries - extent)));
         const Nearest expected = naive(arguments, {});
         const Nearest found = nearestOf(arguments, {});
         QCOMPARE(found.index, expected.index);
@@ -118,7 +122,8 @@ class NearestKernelTest : public QObject {
     for (std::size_t low = 0; low < 40; ++low) {
       for (std::size_t high = low + 1; high < 60; ++high) {
         Features features = far;
-        for (auto& column : features.values) column[low] = column[high] = -5000.0f;
+        for (auto& column : features.values)
+          column[low] = column[high] = -5000.0f;
         NearestArguments arguments = argumentsOf(features, 5, {-5000, -5000, -5000, -5000, -5000});
         arguments.blockSize = 61;
         QCOMPARE(nearestOf(arguments, {}).index, static_cast<std::uint32_t>(low));
@@ -158,11 +163,13 @@ class NearestKernelTest : public QObject {
     Random random(3);
     Features features(2, 40);
     for (auto& column : features.values) {
-      for (float& value : column) value = static_cast<float>(random.uniform(-100.0, 100.0));
+      for (float& value : column)
+        value = static_cast<float>(random.uniform(-100.0, 100.0));
     }
     for (int turn = 0; turn < 200; ++turn) {
       std::array<float, kMaximumFeatures> query;
-      for (float& value : query) value = static_cast<float>(random.uniform(-100.0, 100.0));
+      for (float& value : query)
+        value = static_cast<float>(random.uniform(-100.0, 100.0));
       NearestArguments arguments = argumentsOf(features, 5, query);
       const double least = double{naive(arguments, {}).squaredDistance};
       const Nearest found = nearestOf(arguments, {});
@@ -179,12 +186,14 @@ class NearestKernelTest : public QObject {
     if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
     Features features(1, 50);
     for (auto& column : features.values) {
-      for (std::size_t i = 0; i < kEntries; ++i) column[i] = 9.0f;
+      for (std::size_t i = 0; i < kEntries; ++i)
+        column[i] = 9.0f;
       column[0] = 8.0f;
     }
     for (std::size_t size = 1; size < 40; ++size) {
       Features planted = features;
-      for (auto& column : planted.values) column[100 + size] = 0.0f;
+      for (auto& column : planted.values)
+        column[100 + size] = 0.0f;
       NearestArguments arguments = argumentsOf(planted, 4, {0, 0, 0, 0, 0});
       arguments.first = 100;
       arguments.blockSize = size;

@@ -1,13 +1,15 @@
-#include <QtTest>
+#include "core/fit/table/nearest_tree.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
 
+#include <QtTest>
+
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
-#include "core/fit/nearest_tree.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -24,7 +26,8 @@ struct Points {
   Points(std::size_t pointCount, int levels, std::uint64_t seed) : count(pointCount) {
     Random random(seed);
     for (auto& column : values) {
-      for (std::size_t i = 0; i < count; ++i) column.push_back(coordinate(random, levels));
+      for (std::size_t i = 0; i < count; ++i)
+        column.push_back(coordinate(random, levels));
       column.resize(count + kPadding, 0.0f);
     }
   }
@@ -42,7 +45,8 @@ struct Points {
     return NearestTree(columns, std::move(entries));
   }
 
-  std::uint32_t exhaustive(int featureCount, const std::array<float, kMaximumFeatures>& query) const {
+  std::uint32_t exhaustive(int featureCount,
+                           const std::array<float, kMaximumFeatures>& query) const {
     NearestArguments arguments = {};
     for (std::size_t f = 0; f < kMaximumFeatures; ++f) {
       arguments.features[f] = values[f].data();
@@ -88,7 +92,8 @@ class NearestTreeTest : public QObject {
         const NearestTree tree = points.tree(featureCount, numbersBelow(count));
         for (int turn = 0; turn < 400; ++turn) {
           std::array<float, kMaximumFeatures> query;
-          for (float& value : query) value = Points::coordinate(random, levels);
+          for (float& value : query)
+            value = Points::coordinate(random, levels);
           if (turn % 7 == 0) query[0] += 1000.0f;
           QCOMPARE(tree.nearest(std::span(query).first(static_cast<std::size_t>(featureCount))),
                    points.exhaustive(featureCount, query));
@@ -101,7 +106,8 @@ class NearestTreeTest : public QObject {
   void ofEqualPointsTheLowestIsFound() {
     Points points(4000, 0, 3);
     for (auto& column : points.values) {
-      for (std::size_t i = 1234; i < points.count; i += 3) column[i] = 5.0f;
+      for (std::size_t i = 1234; i < points.count; i += 3)
+        column[i] = 5.0f;
     }
     const NearestTree tree = points.tree(5, numbersBelow(points.count));
     const std::array<float, kMaximumFeatures> near = {5.0f, 5.0f, 5.0f, 5.0f, 5.0f};
@@ -111,12 +117,14 @@ class NearestTreeTest : public QObject {
   void onlyListedEntriesAreFound() {
     const Points points(3000, 3, 4);
     std::vector<std::uint32_t> every;
-    for (std::uint32_t i = 2; i < points.count; i += 10) every.push_back(i);
+    for (std::uint32_t i = 2; i < points.count; i += 10)
+      every.push_back(i);
     const NearestTree tree = points.tree(4, every);
     Random random(5);
     for (int turn = 0; turn < 500; ++turn) {
       std::array<float, 4> query;
-      for (float& value : query) value = Points::coordinate(random, 3);
+      for (float& value : query)
+        value = Points::coordinate(random, 3);
       QCOMPARE(tree.nearest(query) % 10, 2u);
     }
   }
@@ -124,9 +132,9 @@ class NearestTreeTest : public QObject {
   void whatIsNotFiniteFindsTheFirst() {
     const Points points(100, 0, 6);
     const NearestTree tree = points.tree(3, numbersBelow(points.count));
-    for (const float odd : {std::numeric_limits<float>::quiet_NaN(),
-                            std::numeric_limits<float>::infinity(),
-                            -std::numeric_limits<float>::infinity()}) {
+    for (const float odd :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+          -std::numeric_limits<float>::infinity()}) {
       const std::array<float, 3> query = {1.0f, odd, 2.0f};
       QCOMPARE(tree.nearest(query), 0u);
     }

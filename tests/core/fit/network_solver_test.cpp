@@ -9,7 +9,7 @@
 
 #include "core/fit/population.h"
 #include "core/skin/pixel_state.h"
-#include "src/files/network_file.h"
+#include "src/files/networks/network_file.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"

@@ -19,7 +19,8 @@ Measurements photograph(const Rig& rig, int width, int height,
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x, ++i) {
       const std::vector<float> pixel = channels(x, y);
-      for (std::size_t k = 0; k < channelCount; ++k) values[k][i] = pixel[k];
+      for (std::size_t k = 0; k < channelCount; ++k)
+        values[k][i] = pixel[k];
       if (state) states[i] = static_cast<float>(state(x, y));
     }
   }
@@ -52,7 +53,8 @@ Measurements crop(const Measurements& picture, const Rect& part) {
     static_cast<void>(smaller.store(smaller.bounds(), pixelsOf(plane, part)));
     return smaller;
   };
-  for (const Plane& channel : picture.channels) cropped.channels.push_back(cut(channel));
+  for (const Plane& channel : picture.channels)
+    cropped.channels.push_back(cut(channel));
   cropped.state = cut(picture.state);
   return cropped;
 }
@@ -63,7 +65,9 @@ std::vector<float> pixelsOf(const Plane& plane, const Rect& rect) {
   return values;
 }
 
-std::vector<float> pixelsOf(const Plane& plane) { return pixelsOf(plane, plane.bounds()); }
+std::vector<float> pixelsOf(const Plane& plane) {
+  return pixelsOf(plane, plane.bounds());
+}
 
 std::vector<float> everything(const FitPlanes& planes, const Rect& rect) {
   std::vector<float> all;
@@ -71,9 +75,12 @@ std::vector<float> everything(const FitPlanes& planes, const Rect& rect) {
     const std::vector<float> values = pixelsOf(plane, rect);
     all.insert(all.end(), values.begin(), values.end());
   };
-  for (const Plane& plane : planes.maps.values) add(plane);
-  for (const Plane& plane : planes.deviations) add(plane);
-  for (const Plane& plane : planes.residuals) add(plane);
+  for (const Plane& plane : planes.maps.values)
+    add(plane);
+  for (const Plane& plane : planes.deviations)
+    add(plane);
+  for (const Plane& plane : planes.residuals)
+    add(plane);
   add(planes.maps.state);
   return all;
 }

@@ -1,17 +1,17 @@
-// Deviations: the normal curve's where the posterior is one, and those of the posterior itself where
-// it is not.
+// Deviations: the normal curve's where the posterior is one, and those of the posterior itself
+// where it is not.
 
-#include <QtTest>
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
+#include <QtTest>
 
 #include "core/base/random.h"
+#include "core/evaluate/error_metrics.h"
 #include "core/fit/population.h"
-#include "core/fit/refined_solver.h"
-#include "core/simulate/error_metrics.h"
-#include "core/skin/model_nodes.h"
+#include "core/fit/refined/refined_solver.h"
+#include "core/skin/model/choose_nodes.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -45,8 +45,8 @@ struct Fitted {
   }
 
   test::Objective objective() const {
-    return {test::li2024(), chooseModelNodes(test::li2024(), responseRows(test::monitorRig())),
-            prior, noise};
+    return {test::li2024(), chooseNodes(test::li2024(), responseRows(test::monitorRig())), prior,
+            noise};
   }
   // Of the coordinate: of the logarithm where the prior has it.
   double deviation(std::size_t pixel, int k) const {
@@ -81,7 +81,8 @@ ParameterVector walkedSpread(const test::Objective& objective, const Eigen::Vect
   double cost = objective.cost(channels, estimate);
   for (int step = 0; step < steps; ++step) {
     Eigen::Matrix<double, 5, 1> normal;
-    for (double& value : normal) value = random.normal();
+    for (double& value : normal)
+      value = random.normal();
     const ParameterVector trial = at + (scale * normal).array();
     const ParameterVector parameters = objective.parameters(trial);
     bool inside = true;
@@ -120,9 +121,10 @@ class PosteriorTest : public QObject {
         const Covariance covariance = objective.covariance(fitted.pixels.at(i), at);
         for (int k = 0; k < kParameterCount; ++k) {
           const double expected = std::sqrt(covariance(k, k));
-          const double whole = fitted.prior.isLog(k)
-                                   ? 1.0
-                                   : test::li2024().profile().axes[static_cast<std::size_t>(k)].maximum;
+          const double whole =
+              fitted.prior.isLog(k)
+                  ? 1.0
+                  : test::li2024().profile().axes[static_cast<std::size_t>(k)].maximum;
           if (meetsTheBox(fitted, at, expected, k) || expected > 0.03 * whole) continue;
           worst = std::max(worst, std::abs(fitted.deviation(i, k) / expected - 1.0));
           ++compared;
@@ -145,8 +147,7 @@ class PosteriorTest : public QObject {
       std::vector<double> ratios;
       for (std::size_t i = 0; i < kWalks; ++i) {
         const ParameterVector at = fitted.solutions.at(i).max(1e-6);
-        const ParameterVector walked =
-            walkedSpread(objective, fitted.pixels.at(i), at, kSteps, i);
+        const ParameterVector walked = walkedSpread(objective, fitted.pixels.at(i), at, kSteps, i);
         for (int k = 0; k < kParameterCount; ++k) {
           ratios.push_back(std::abs(std::log(fitted.deviation(i, k) / walked[k])));
         }

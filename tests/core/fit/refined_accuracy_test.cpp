@@ -1,15 +1,16 @@
 // The fast solver against the plain one: the same objective, minimised as well.
 
-#include <QtTest>
 #include <algorithm>
 #include <cmath>
 
-#include "core/fit/map_estimator.h"
+#include <QtTest>
+
 #include "core/fit/population.h"
-#include "core/fit/refined_solver.h"
-#include "core/skin/model_nodes.h"
-#include "core/skin/parameter_sampling.h"
+#include "core/fit/reference/map_estimator.h"
+#include "core/fit/refined/refined_solver.h"
+#include "core/skin/model/choose_nodes.h"
 #include "core/skin/pixel_state.h"
+#include "core/skin/profile/parameter_sampling.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -60,16 +61,15 @@ class RefinedAccuracyTest : public QObject {
     const test::Solutions solutions = test::solve(*solver, pixels);
 
     const test::Objective objective = {
-        test::li2024(), chooseModelNodes(test::li2024(), responseRows(rig)), prior, model};
+        test::li2024(), chooseNodes(test::li2024(), responseRows(rig)), prior, model};
     const MapEstimator reference(test::li2024(), objective.nodes, {prior, model, {}, 200});
     int far = 0, costly = 0, notConverged = 0;
     double worstDistance = 0.0, worstCost = 0.0;
     for (std::size_t i = 0; i < pixels.count; ++i) {
       const Estimate exact = reference.solve(pixels.at(i));
-      const ParameterVector away = objective.coordinates(solutions.at(i)) -
-                                   objective.coordinates(exact.parameters);
-      const double distance =
-          (away / exact.covariance.diagonal().array().sqrt()).abs().maxCoeff();
+      const ParameterVector away =
+          objective.coordinates(solutions.at(i)) - objective.coordinates(exact.parameters);
+      const double distance = (away / exact.covariance.diagonal().array().sqrt()).abs().maxCoeff();
       const double excess = objective.cost(pixels.at(i), solutions.at(i)) - exact.cost;
       far += distance <= 0.2 ? 0 : 1;
       costly += excess <= 0.05 ? 0 : 1;
@@ -77,9 +77,10 @@ class RefinedAccuracyTest : public QObject {
       worstDistance = std::max(worstDistance, distance);
       worstCost = std::max(worstCost, excess);
     }
-    qInfo("%d of %d beyond 0.2 deviations (worst %.2g), %d beyond 0.05 in cost (worst %.2g), "
-          "%d without convergence",
-          far, kPixels, worstDistance, costly, worstCost, notConverged);
+    qInfo(
+        "%d of %d beyond 0.2 deviations (worst %.2g), %d beyond 0.05 in cost (worst %.2g), "
+        "%d without convergence",
+        far, kPixels, worstDistance, costly, worstCost, notConverged);
     EXPECT_AT_MOST(far, 0.01 * kPixels);
     EXPECT_AT_MOST(costly, 0.01 * kPixels);
     EXPECT_AT_MOST(notConverged, 0.001 * kPixels);
@@ -93,15 +94,15 @@ class RefinedAccuracyTest : public QObject {
         test::monitorRig(), sampleBox(test::li2024().profile().axes, kPixels), 0.005);
     const test::Solutions solutions = test::solve(*solver, pixels);
     const test::Objective objective = {
-        test::li2024(), chooseModelNodes(test::li2024(), responseRows(test::monitorRig())), prior,
+        test::li2024(), chooseNodes(test::li2024(), responseRows(test::monitorRig())), prior,
         test::monitorRig().noise};
     const MapEstimator reference(test::li2024(), objective.nodes,
                                  {prior, test::monitorRig().noise, {}, 200});
     int costly = 0;
     double worst = 0.0;
     for (std::size_t i = 0; i < pixels.count; ++i) {
-      const double excess = objective.cost(pixels.at(i), solutions.at(i)) -
-                            reference.solve(pixels.at(i)).cost;
+      const double excess =
+          objective.cost(pixels.at(i), solutions.at(i)) - reference.solve(pixels.at(i)).cost;
       costly += excess <= 0.05 ? 0 : 1;
       worst = std::max(worst, excess);
     }
@@ -123,8 +124,7 @@ class RefinedAccuracyTest : public QObject {
       for (std::size_t i = 0; i < people.size(); ++i) {
         const Eigen::VectorXd modelled =
             rows.matrix() * test::li2024().reflectance(solutions.at(i)).matrix();
-        worstChannel =
-            std::max(worstChannel, (modelled - pixels.at(i)).cwiseAbs().maxCoeff());
+        worstChannel = std::max(worstChannel, (modelled - pixels.at(i)).cwiseAbs().maxCoeff());
         error += test::visibleError(people[i], solutions.at(i)) / 500.0;
       }
       qInfo("%s prior: channels within %.2g, visible MSE %.2g", log ? "log" : "linear",

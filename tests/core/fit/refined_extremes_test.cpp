@@ -1,14 +1,15 @@
 // Pixels that are no skin, and options at their ends: the answer is finite and inside the box.
 
-#include <QtTest>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include <QtTest>
+
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
 #include "core/fit/population.h"
-#include "core/fit/refined_solver.h"
+#include "core/fit/refined/refined_solver.h"
 #include "core/skin/pixel_state.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
@@ -22,8 +23,9 @@ test::PixelSet oddPixels(std::size_t channelCount) {
   const float huge = 1e6f;
   const float all[] = {0.0f, 1e-40f, 1e-20f, 1e-6f, 1.0f, 5.0f, huge, 1e18f, 3e38f};
   std::vector<std::vector<float>> pixels;
-  for (const float value : all) pixels.emplace_back(channelCount, value);  // black … blinding
-  for (const float value : all) {                                          // one channel stands out
+  for (const float value : all)
+    pixels.emplace_back(channelCount, value);  // black … blinding
+  for (const float value : all) {              // one channel stands out
     for (std::size_t k = 0; k < channelCount; ++k) {
       pixels.emplace_back(channelCount, 0.3f);
       pixels.back()[k] = value;
@@ -31,7 +33,8 @@ test::PixelSet oddPixels(std::size_t channelCount) {
   }
   for (std::size_t c = 0; c < 3; ++c) {  // pure red, green, blue
     pixels.emplace_back(channelCount, 0.0f);
-    for (std::size_t k = c; k < channelCount; k += 3) pixels.back()[k] = 1.0f;
+    for (std::size_t k = c; k < channelCount; k += 3)
+      pixels.back()[k] = 1.0f;
   }
   const float contradictory[] = {0.0f, 1.0f, 5.0f, huge};
   Random random(21);
@@ -68,16 +71,15 @@ void expectGoodAnswers(const PixelSolver& solver, const test::PixelSet& pixels,
                        const char* instructionSet) {
   test::Solutions solutions = test::solve(solver, pixels);
   for (std::size_t i = 0; i < pixels.count; ++i) {
-    QVERIFY2(wellBehaved(solutions, i),
-             qPrintable(QString("%1, pixel %2: %3 %4 %5 %6 %7, state %8")
-                            .arg(instructionSet)
-                            .arg(i)
-                            .arg(solutions.at(i)[0])
-                            .arg(solutions.at(i)[1])
-                            .arg(solutions.at(i)[2])
-                            .arg(solutions.at(i)[3])
-                            .arg(solutions.at(i)[4])
-                            .arg(int{solutions.states[i]})));
+    QVERIFY2(wellBehaved(solutions, i), qPrintable(QString("%1, pixel %2: %3 %4 %5 %6 %7, state %8")
+                                                       .arg(instructionSet)
+                                                       .arg(i)
+                                                       .arg(solutions.at(i)[0])
+                                                       .arg(solutions.at(i)[1])
+                                                       .arg(solutions.at(i)[2])
+                                                       .arg(solutions.at(i)[3])
+                                                       .arg(solutions.at(i)[4])
+                                                       .arg(int{solutions.states[i]})));
   }
   std::vector<float> deviations(solutions.parameters.size(), -1.0f);
   solver.deviations(
@@ -170,8 +172,10 @@ class RefinedExtremesTest : public QObject {
         {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
         residuals.data());
     int unsolved = 0, far = 0;
-    for (const std::uint8_t state : solutions.states) unsolved += state == 0 ? 0 : 1;
-    for (const float residual : residuals) far += std::abs(residual) > 1e-5f ? 1 : 0;
+    for (const std::uint8_t state : solutions.states)
+      unsolved += state == 0 ? 0 : 1;
+    for (const float residual : residuals)
+      far += std::abs(residual) > 1e-5f ? 1 : 0;
     EXPECT_AT_MOST(unsolved, 5);
     EXPECT_AT_MOST(far, 10);
   }
@@ -215,7 +219,8 @@ class RefinedExtremesTest : public QObject {
   void allParametersMayBeFixed() {
     FitOptions options;
     const ParameterVector known = {0.05, 0.5, 0.02, 0.01, 0.0};
-    for (std::size_t k = 0; k < kParameterCount; ++k) options.fixed[k] = known[Eigen::Index(k)];
+    for (std::size_t k = 0; k < kParameterCount; ++k)
+      options.fixed[k] = known[Eigen::Index(k)];
     const auto solver = makeRefinedSolver(test::sharedModel(), test::monitorRig(), options);
     const test::Solutions solutions = test::solve(*solver, oddPixels(9));
     for (std::size_t i = 0; i < solutions.states.size(); ++i) {

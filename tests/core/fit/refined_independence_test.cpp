@@ -1,14 +1,15 @@
 // A pixel's result is a function of its own channels alone: the same bytes wherever it stands.
 
-#include <QtTest>
 #include <algorithm>
 #include <cstring>
 #include <numeric>
 
+#include <QtTest>
+
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
 #include "core/fit/population.h"
-#include "core/fit/refined_solver.h"
+#include "core/fit/refined/refined_solver.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -34,7 +35,8 @@ test::PixelSet pick(const test::PixelSet& from, const std::vector<std::size_t>& 
   test::PixelSet pixels;
   pixels.count = order.size();
   for (std::size_t k = 0; k < from.channelCount(); ++k) {
-    for (const std::size_t i : order) pixels.channels.push_back(from.channels[k * from.count + i]);
+    for (const std::size_t i : order)
+      pixels.channels.push_back(from.channels[k * from.count + i]);
   }
   return pixels;
 }
@@ -125,13 +127,15 @@ class RefinedIndependenceTest : public QObject {
     const std::array<float, 4> poison = {std::numeric_limits<float>::quiet_NaN(),
                                          std::numeric_limits<float>::infinity(), -1e30f, 3e38f};
     for (std::size_t i = 0; i < kCount; i += 3) {
-      for (std::size_t k = 0; k < 9; ++k) spoiled.channels[k * kCount + i] = poison[i / 3 % 4];
+      for (std::size_t k = 0; k < 9; ++k)
+        spoiled.channels[k * kCount + i] = poison[i / 3 % 4];
     }
     const test::Solutions a = test::solve(*solver, clean);
     const test::Solutions b = test::solve(*solver, spoiled);
     for (std::size_t i = 0; i < kCount; ++i) {
       if (i % 3 != 0) QVERIFY(same(answerOf(a, i), answerOf(b, i)));
-      for (const float value : answerOf(b, i).parameters) QVERIFY(std::isfinite(value));
+      for (const float value : answerOf(b, i).parameters)
+        QVERIFY(std::isfinite(value));
     }
   }
 

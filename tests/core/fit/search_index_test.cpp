@@ -1,9 +1,11 @@
-#include <QtTest>
+#include "core/fit/table/search_index.h"
+
 #include <vector>
+
+#include <QtTest>
 
 #include "core/base/random.h"
 #include "core/fit/population.h"
-#include "core/fit/search_index.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -29,8 +31,8 @@ std::vector<SearchFeatures> mixedQueries(const TableSearch& search) {
   Random random(12);
   while (queries.size() < kQueries) {
     SearchFeatures query = {};
-    const auto entry = static_cast<std::size_t>(
-        random.uniform(0.0, static_cast<double>(search.table().size())));
+    const auto entry =
+        static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(search.table().size())));
     const bool skin = random.uniform() < 0.7;
     for (std::size_t f = 0; f < query.size(); ++f) {
       query[f] = skin ? search.featureOfEntries(static_cast<int>(f))[entry]

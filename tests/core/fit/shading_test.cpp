@@ -1,14 +1,16 @@
 // A factor on all channels of a pixel, found together with the skin.
 
-#include <QtTest>
+#include "core/fit/shading.h"
+
 #include <algorithm>
 #include <cmath>
 
+#include <QtTest>
+
 #include "core/base/random.h"
 #include "core/fit/population.h"
-#include "core/fit/refined_solver.h"
-#include "core/fit/shading.h"
-#include "core/skin/model_nodes.h"
+#include "core/fit/refined/refined_solver.h"
+#include "core/skin/model/choose_nodes.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -51,7 +53,8 @@ PixelBatch batchOf(const test::PixelSet& pixels, test::Solutions& solutions) {
 
 double rootMeanSquare(const std::vector<double>& values) {
   double sum = 0.0;
-  for (const double value : values) sum += value * value;
+  for (const double value : values)
+    sum += value * value;
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
@@ -106,7 +109,7 @@ class ShadingTest : public QObject {
     const test::Solutions solutions = test::solve(*solver, scene.pixels);
     const NoiseModel noise = test::monitorRig().noise;
     const test::Objective objective = {
-        test::li2024(), chooseModelNodes(test::li2024(), responseRows(test::monitorRig())),
+        test::li2024(), chooseNodes(test::li2024(), responseRows(test::monitorRig())),
         test::populationPrior(), noise};
     const auto cost = [&](std::size_t pixel, const ParameterVector& skin) {
       const Eigen::VectorXf measured = scene.pixels.at(pixel).cast<float>();

@@ -1,10 +1,12 @@
-#include <QtTest>
+#include "core/fit/table/skin_table.h"
+
 #include <algorithm>
 #include <cmath>
 
+#include <QtTest>
+
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
-#include "core/fit/skin_table.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -17,7 +19,8 @@ namespace {
 SkinModel smallModel() {
   Profile profile = test::li2024().profile();
   const int samples[] = {3, 2, 7, 5, 4};
-  for (std::size_t k = 0; k < profile.axes.size(); ++k) profile.axes[k].samples = samples[k];
+  for (std::size_t k = 0; k < profile.axes.size(); ++k)
+    profile.axes[k].samples = samples[k];
   return SkinModel(profile);
 }
 
@@ -95,7 +98,8 @@ class SkinTableTest : public QObject {
     if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
     const SpectrumRows monitor = responseRows(test::monitorRig());
     SpectrumRows rows(rowCount, kSampleCount);
-    for (int k = 0; k < rowCount; ++k) rows.row(k) = monitor.row(k % 9);
+    for (int k = 0; k < rowCount; ++k)
+      rows.row(k) = monitor.row(k % 9);
     const SkinModel model = smallModel();
     const auto table = buildSkinTable(model, rows, {});
     EXPECT_OK(table);
@@ -117,7 +121,8 @@ class SkinTableTest : public QObject {
     const SkinModel model = smallModel();
     const auto a = buildSkinTable(model, rows, {});
     const auto b = buildSkinTable(model, rows, {});
-    for (int k = 0; k < 3; ++k) QVERIFY(a.value().channel(k) == b.value().channel(k));
+    for (int k = 0; k < 3; ++k)
+      QVERIFY(a.value().channel(k) == b.value().channel(k));
   }
 
   void stopsWhenAskedTo() {

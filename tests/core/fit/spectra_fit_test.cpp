@@ -1,4 +1,4 @@
-#include "core/fit/spectra_fit.h"
+#include "core/fit/spectra/spectra_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 
 #include <QtTest>
 
-#include "core/fit/bounded_step.h"
-#include "core/fit/map_estimator.h"
-#include "core/skin/parameter_sampling.h"
+#include "core/fit/reference/map_estimator.h"
+#include "core/maths/bounded_step.h"
+#include "core/skin/profile/parameter_sampling.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -220,8 +220,8 @@ class SpectraFitTest : public QObject {
       const Matrix root = Matrix::NullaryExpr([&] { return normal(random); });
       const Matrix hessian = root * root.transpose() + 1e-6 * Matrix::Identity();
       const Vector downhill = Vector::NullaryExpr([&] { return normal(random); });
-      const Vector x = Vector::NullaryExpr(
-          [&] { return std::clamp(1.4 * uniform(random) - 0.2, 0.0, 1.0); });
+      const Vector x =
+          Vector::NullaryExpr([&] { return std::clamp(1.4 * uniform(random) - 0.2, 0.0, 1.0); });
       const BoundedStep<N> found = boundedStep(hessian, downhill, x);
       const Vector to = x + found.step;
       QVERIFY((to.array() >= -1e-15).all() && (to.array() <= 1.0 + 1e-15).all());

@@ -1,13 +1,14 @@
-#include <Eigen/QR>
-#include <QtTest>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include <Eigen/QR>
+#include <QtTest>
+
 #include "core/base/random.h"
 #include "core/fit/population.h"
-#include "core/fit/search_solver.h"
+#include "core/fit/table/search_solver.h"
 #include "tests/core/fit/fit_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -73,8 +74,8 @@ class NaiveSearch {
 
   std::size_t threeStage(const Features& q, int carotene) const {
     const auto all = samples();
-    const auto first = all[nearest(q, true, false,
-                                   [&](std::size_t i) { return all[i][kCarotene] == carotene; })];
+    const auto first =
+        all[nearest(q, true, false, [&](std::size_t i) { return all[i][kCarotene] == carotene; })];
     const auto second = all[nearest(q, true, false, [&](std::size_t i) {
       return all[i][kMelanin] == first[kMelanin] && all[i][kMelaninBlend] == first[kMelaninBlend];
     })];
@@ -92,7 +93,8 @@ class NaiveSearch {
   const std::vector<std::array<int, kParameterCount>>& samples() const {
     static const auto all = [&] {
       std::vector<std::array<int, kParameterCount>> list;
-      for (std::size_t i = 0; i < table_.size(); ++i) list.push_back(table_.samples(i));
+      for (std::size_t i = 0; i < table_.size(); ++i)
+        list.push_back(table_.samples(i));
       return list;
     }();
     return all;
@@ -110,8 +112,8 @@ class TableSearchTest : public QObject {
  private slots:
   void initTestCase() {
     naive_ = std::make_unique<NaiveSearch>(*test::monitorTable());
-    pixels_ = test::simulate(test::monitorRig(),
-                             drawPopulation(protocolPopulation(), kPixels, 77), 0.005);
+    pixels_ = test::simulate(test::monitorRig(), drawPopulation(protocolPopulation(), kPixels, 77),
+                             0.005);
     for (std::size_t i = 0; i < pixels_.count; ++i) {
       const Eigen::VectorXd channels = pixels_.at(i);
       queries_.push_back(test::monitorSearch()->features({channels.data(), 9}));
@@ -121,7 +123,8 @@ class TableSearchTest : public QObject {
 
   void featuresAreTheDefinition() {
     for (std::size_t i = 0; i < queries_.size(); ++i) {
-      for (std::size_t f = 0; f < 5; ++f) EXPECT_NEAR(queries_[i][f], exact_[i][f], 2e-4);
+      for (std::size_t f = 0; f < 5; ++f)
+        EXPECT_NEAR(queries_[i][f], exact_[i][f], 2e-4);
     }
   }
 
@@ -172,8 +175,8 @@ class TableSearchTest : public QObject {
   void withoutNarrowbandLightsWhiteDecides() {
     const auto rig = withLights(test::monitorRig(), {"white"}, "test").value();
     const auto table = std::make_shared<const SkinTable>(
-        buildSkinTable(test::li2024(),
-                       searchTableRows(rig, test::light("D65"), test::cie1931()), {})
+        buildSkinTable(test::li2024(), searchTableRows(rig, test::light("D65"), test::cie1931()),
+                       {})
             .value());
     const TableSearch search(table, rig, test::daylightWhite());
     QVERIFY(!search.hasNarrowband());
@@ -217,15 +220,18 @@ class TableSearchTest : public QObject {
   }
 
   void anythingFindsSomething() {
-    const std::vector<std::vector<float>> odd = {
-        std::vector<float>(9, 0.0f), std::vector<float>(9, 1.0f), std::vector<float>(9, 1e6f),
-        std::vector<float>(9, 3e38f), {0, 0, 1, 0, 0, 1e6f, 5, 0, 0}};
+    const std::vector<std::vector<float>> odd = {std::vector<float>(9, 0.0f),
+                                                 std::vector<float>(9, 1.0f),
+                                                 std::vector<float>(9, 1e6f),
+                                                 std::vector<float>(9, 3e38f),
+                                                 {0, 0, 1, 0, 0, 1e6f, 5, 0, 0}};
     const auto channels =
         std::make_shared<const ResponseModel>(test::li2024(), responseRows(test::monitorRig()));
     for (const auto& solver : {makeFullSearchSolver(test::monitorSearch(), channels),
                                makeThreeStageSolver(test::monitorSearch(), 0, channels)}) {
       const test::Solutions solutions = test::solve(*solver, test::pixelsOf(odd));
-      for (const float value : solutions.parameters) QVERIFY(value >= 0.0f && value <= 1.0f);
+      for (const float value : solutions.parameters)
+        QVERIFY(value >= 0.0f && value <= 1.0f);
     }
   }
 

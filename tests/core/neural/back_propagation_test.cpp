@@ -1,4 +1,4 @@
-#include "core/neural/back_propagation.h"
+#include "core/neural/dense/back_propagation.h"
 
 #include <cmath>
 
@@ -6,7 +6,7 @@
 
 #include "core/base/instruction_set.h"
 #include "core/base/random.h"
-#include "core/neural/layer_kernel.h"
+#include "core/neural/dense/dense_kernel.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 

@@ -1,4 +1,4 @@
-#include "core/neural/dense_network.h"
+#include "core/neural/dense/dense_network.h"
 
 #include <cmath>
 #include <limits>

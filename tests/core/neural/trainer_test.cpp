@@ -1,4 +1,4 @@
-#include "core/neural/trainer.h"
+#include "core/neural/dense/trainer.h"
 
 #include <cmath>
 

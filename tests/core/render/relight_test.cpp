@@ -1,9 +1,11 @@
-#include <QtTest>
+#include "core/render/relight.h"
+
 #include <cmath>
 
+#include <QtTest>
+
 #include "core/fit/population.h"
-#include "core/render/relight.h"
-#include "core/skin/parameter_sampling.h"
+#include "core/skin/profile/parameter_sampling.h"
 #include "core/skin/response_model.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -42,7 +44,8 @@ Errors errorsOf(const SpectrumRows& rows, const std::vector<ParameterVector>& po
   std::vector<std::vector<float>> out(static_cast<std::size_t>(rows.rows()),
                                       std::vector<float>(points.size()));
   std::vector<float*> pointers;
-  for (auto& row : out) pointers.push_back(row.data());
+  for (auto& row : out)
+    pointers.push_back(row.data());
   response.evaluate(batch, pointers);
   Errors errors;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -72,8 +75,7 @@ class RelightTest : public QObject {
   void reducedRelightingIsTheWholeSum_data() { lights(); }
   void reducedRelightingIsTheWholeSum() {
     QFETCH(QString, name);
-    const SpectrumRows rows =
-        rowsUnder(test::light(name.toStdString()), ChromaticAdaptation::none);
+    const SpectrumRows rows = rowsUnder(test::light(name.toStdString()), ChromaticAdaptation::none);
     const Errors faces = errorsOf(rows, drawPopulation(protocolPopulation(), 1000, 31));
     const Errors box = errorsOf(rows, sampleBox(test::li2024().profile().axes, 1000, 40000));
     qInfo("%s: faces %.2g rms, %.2g worst; whole box %.2g rms, %.2g worst", qPrintable(name),
@@ -109,8 +111,8 @@ class RelightTest : public QObject {
 
   // Under D65 the perfect diffuser is (1, 1, 1), with or without adaptation.
   void aPerfectDiffuserIsWhiteUnderDaylight() {
-    for (const auto adaptation : {ChromaticAdaptation::none, ChromaticAdaptation::bradford,
-                                  ChromaticAdaptation::cat16}) {
+    for (const auto adaptation :
+         {ChromaticAdaptation::none, ChromaticAdaptation::bradford, ChromaticAdaptation::cat16}) {
       const Vector3d white = diffuserUnder(rowsUnder(test::light("D65"), adaptation));
       QVERIFY((white - Vector3d::Ones()).norm() < 1e-12);
     }
@@ -143,8 +145,8 @@ class RelightTest : public QObject {
     Sensor tenDegrees = test::cie1931();
     tenDegrees.sensitivity.row(2) *= 1.1;
     for (const auto adaptation : {ChromaticAdaptation::bradford, ChromaticAdaptation::cat16}) {
-      const SpectrumRows rows = colourRows(test::light("A"), tenDegrees, adaptation,
-                                           test::light("D65"), test::cie1931());
+      const SpectrumRows rows =
+          colourRows(test::light("A"), tenDegrees, adaptation, test::light("D65"), test::cie1931());
       QVERIFY((diffuserUnder(rows) - Vector3d::Ones()).norm() < 1e-12);
     }
   }
@@ -164,8 +166,8 @@ class RelightTest : public QObject {
     const Spectrum a = test::light("A") / luminance(test::light("A"));
     const Spectrum b = test::light("LED_B3") / luminance(test::light("LED_B3"));
     const SpectrumRows mixed = rowsUnder(a + b, ChromaticAdaptation::none);
-    const SpectrumRows mean = 0.5 * (rowsUnder(a, ChromaticAdaptation::none) +
-                                     rowsUnder(b, ChromaticAdaptation::none));
+    const SpectrumRows mean =
+        0.5 * (rowsUnder(a, ChromaticAdaptation::none) + rowsUnder(b, ChromaticAdaptation::none));
     QVERIFY((mixed - mean).abs().maxCoeff() < 1e-14);
   }
 };

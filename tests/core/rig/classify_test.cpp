@@ -1,6 +1,7 @@
-#include <QtTest>
 #include <array>
 #include <limits>
+
+#include <QtTest>
 
 #include "core/rig/measurements.h"
 #include "tests/support/expect.h"
@@ -24,8 +25,8 @@ class ClassifyTest : public QObject {
     const QVector<float> skin = {0.5f, 0.3f, 0.2f};
     constexpr int solved = 0, masked = 1, invalid = 2, saturated = 3;  // as they stand in files
     QTest::newRow("skin") << skin << 1.0f << false << solved;
-    QTest::newRow("brighter than the diffuser") << QVector<float>{1.5f, 1.2f, 2.0f} << 1.0f << false
-                                                << solved;
+    QTest::newRow("brighter than the diffuser")
+        << QVector<float>{1.5f, 1.2f, 2.0f} << 1.0f << false << solved;
     QTest::newRow("half a mask") << skin << 0.5f << false << solved;
     QTest::newRow("a trace of mask") << skin << 1e-30f << false << solved;
     QTest::newRow("no mask") << skin << 0.0f << false << masked;
@@ -38,10 +39,10 @@ class ClassifyTest : public QObject {
     QTest::newRow("clipped, half a mask") << skin << 0.5f << true << saturated;
     QTest::newRow("not a number") << QVector<float>{0.5f, kNan, 0.2f} << 1.0f << false << invalid;
     QTest::newRow("infinite") << QVector<float>{0.5f, 0.3f, kInfinity} << 1.0f << false << invalid;
-    QTest::newRow("minus infinite") << QVector<float>{-kInfinity, 0.3f, 1} << 1.0f << false
-                                    << invalid;
-    QTest::newRow("infinite and clipped") << QVector<float>{kInfinity, 1, 1} << 1.0f << true
-                                          << invalid;
+    QTest::newRow("minus infinite")
+        << QVector<float>{-kInfinity, 0.3f, 1} << 1.0f << false << invalid;
+    QTest::newRow("infinite and clipped")
+        << QVector<float>{kInfinity, 1, 1} << 1.0f << true << invalid;
     QTest::newRow("negative") << QVector<float>{0.5f, -1e-9f, 0.2f} << 1.0f << false << invalid;
     QTest::newRow("black") << QVector<float>{0, 0, 0} << 1.0f << false << invalid;
     QTest::newRow("negative zeros") << QVector<float>{-0.0f, -0.0f, 0} << 1.0f << false << invalid;

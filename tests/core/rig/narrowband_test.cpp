@@ -1,7 +1,8 @@
+#include "core/rig/narrowband.h"
+
 #include <QtTest>
 
 #include "core/base/random.h"
-#include "core/rig/narrowband.h"
 #include "src/files/spectral_library.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -12,7 +13,8 @@ namespace {
 
 Spectrum randomReflectance(Random& random) {
   Spectrum r;
-  for (int i = 0; i < kSampleCount; ++i) r[i] = random.uniform();
+  for (int i = 0; i < kSampleCount; ++i)
+    r[i] = random.uniform();
   return r;
 }
 
@@ -79,7 +81,8 @@ class NarrowbandTest : public QObject {
     QCOMPARE(channels.fromRig.rows(), Eigen::Index{5});
     QCOMPARE(channels.fromRig.cols(), Eigen::Index{9});
     // Weights of a synthesised channel add to one: a perfect diffuser reads 1.
-    for (int k = 0; k < 5; ++k) EXPECT_NEAR(channels.fromRig.row(k).sum(), 1.0, 1e-12);
+    for (int k = 0; k < 5; ++k)
+      EXPECT_NEAR(channels.fromRig.row(k).sum(), 1.0, 1e-12);
   }
 
   void theOrderOfLightsDoesNotMatter() {
@@ -119,7 +122,8 @@ class NarrowbandTest : public QObject {
     QTest::newRow("red left over") << QVector<double>{1, 1, 1} << QVector<double>{0.5, 0.2, 1};
     QTest::newRow("less blue than white") << QVector<double>{1, 1, 1} << QVector<double>{1, 1, 0.5};
     QTest::newRow("the same as white") << QVector<double>{1, 1, 1} << QVector<double>{1, 1, 1};
-    QTest::newRow("green that white lacks") << QVector<double>{1, 0, 1} << QVector<double>{.3, .5, 1};
+    QTest::newRow("green that white lacks")
+        << QVector<double>{1, 0, 1} << QVector<double>{.3, .5, 1};
   }
   void otherMixturesAreRefused() {
     QFETCH(QVector<double>, white);

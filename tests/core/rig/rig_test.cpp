@@ -1,8 +1,10 @@
-#include <QtTest>
+#include "core/rig/rig.h"
+
 #include <limits>
 
-#include "core/rig/rig.h"
-#include "core/skin/parameter_sampling.h"
+#include <QtTest>
+
+#include "core/skin/profile/parameter_sampling.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -30,7 +32,8 @@ class RigTest : public QObject {
     for (const Rig* rig : {&test::monitorRig(), &test::albedoRig()}) {
       const SpectrumRows rows = responseRows(*rig);
       QCOMPARE(static_cast<int>(rows.rows()), rig->channelCount());
-      for (Eigen::Index k = 0; k < rows.rows(); ++k) EXPECT_NEAR(rows.row(k).sum(), 1.0, 1e-13);
+      for (Eigen::Index k = 0; k < rows.rows(); ++k)
+        EXPECT_NEAR(rows.row(k).sum(), 1.0, 1e-13);
       QVERIFY((rows >= 0.0).all());
     }
   }
@@ -124,17 +127,39 @@ class RigTest : public QObject {
     Rig rig = test::monitorRig();
     Spectrum& power = rig.lights[1].power;
     switch (fault) {
-      case 0: rig.lights.clear(); break;
-      case 1: rig.lights[2].name = "white"; break;
-      case 2: power[100] = -1e-9; break;
-      case 3: power[0] = kNan; break;
-      case 4: power[350] = kInfinity; break;
-      case 5: power.setZero(); break;
-      case 6: rig.camera.sensor.sensitivity(1, 80) = -1.0; break;
-      case 7: rig.camera.sensor.sensitivity(2, 80) = kNan; break;
-      case 8: rig.noise.read = -0.1; break;
-      case 9: rig.noise.proportional = kNan; break;
-      case 10: rig.noise.proportional = kInfinity; break;
+      case 0:
+        rig.lights.clear();
+        break;
+      case 1:
+        rig.lights[2].name = "white";
+        break;
+      case 2:
+        power[100] = -1e-9;
+        break;
+      case 3:
+        power[0] = kNan;
+        break;
+      case 4:
+        power[350] = kInfinity;
+        break;
+      case 5:
+        power.setZero();
+        break;
+      case 6:
+        rig.camera.sensor.sensitivity(1, 80) = -1.0;
+        break;
+      case 7:
+        rig.camera.sensor.sensitivity(2, 80) = kNan;
+        break;
+      case 8:
+        rig.noise.read = -0.1;
+        break;
+      case 9:
+        rig.noise.proportional = kNan;
+        break;
+      case 10:
+        rig.noise.proportional = kInfinity;
+        break;
       default:
         while (rig.lights.size() < 11) {
           rig.lights.push_back(rig.lights.front());

@@ -1,10 +1,11 @@
-#include <QtTest>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include <QtTest>
+
 #include "core/simulate/counter_normal.h"
-#include "core/simulate/gradient_noise.h"
+#include "core/simulate/paint/gradient_noise.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -20,7 +21,8 @@ struct Moments {
 
 Moments momentsOf(const std::vector<float>& values) {
   Moments m;
-  for (const float v : values) m.mean += v;
+  for (const float v : values)
+    m.mean += v;
   m.mean /= static_cast<double>(values.size());
   double second = 0.0, fourth = 0.0;
   for (const float v : values) {
@@ -37,12 +39,15 @@ Moments momentsOf(const std::vector<float>& values) {
 }
 
 // Share of a standard normal distribution below x.
-double normalShareBelow(double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); }
+double normalShareBelow(double x) {
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
 
 std::vector<float> draws(std::uint64_t key, std::size_t count) {
   std::vector<float> values;
   values.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) values.push_back(normalAt(key, i));
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(normalAt(key, i));
   return values;
 }
 

@@ -1,12 +1,13 @@
-#include <QtTest>
+#include "core/simulate/photograph.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include <QtTest>
 #include <tbb/global_control.h>
 
-#include "core/simulate/photograph.h"
 #include "core/skin/parameter_buffer.h"
 #include "core/skin/pixel_state.h"
 #include "tests/support/expect.h"
@@ -22,8 +23,7 @@ const Rect kAll = {0, 0, kWidth, kHeight};
 
 const SimulatedSkin& skin() {
   static const SimulatedSkin simulated = [] {
-    auto result =
-        simulateSkin({}, kWidth, kHeight, 3, test::li2024().profile().axes, nullptr, {});
+    auto result = simulateSkin({}, kWidth, kHeight, 3, test::li2024().profile().axes, nullptr, {});
     return result ? std::move(result).value() : SimulatedSkin();
   }();
   return simulated;
@@ -62,9 +62,9 @@ class PhotographTest : public QObject {
           for (const Parameter parameter : kParameters) {
             p[parameter] = values.value().values[static_cast<std::size_t>(parameter)][i];
           }
-          const double exact = (rows.row(static_cast<Eigen::Index>(k)).transpose() *
-                                test::li2024().reflectance(p))
-                                   .sum();
+          const double exact =
+              (rows.row(static_cast<Eigen::Index>(k)).transpose() * test::li2024().reflectance(p))
+                  .sum();
           EXPECT_NEAR(channel[i], exact, 1e-5);
           squared += (channel[i] - exact) * (channel[i] - exact);
           ++count;
@@ -106,7 +106,8 @@ class PhotographTest : public QObject {
     const auto noisy = shoot(2.0);
     EXPECT_OK(noisy);
     for (const Plane& channel : noisy.value().channels) {
-      for (const float value : load(channel)) QVERIFY(value >= 0.0f && std::isfinite(value));
+      for (const float value : load(channel))
+        QVERIFY(value >= 0.0f && std::isfinite(value));
     }
   }
 
@@ -171,7 +172,8 @@ class PhotographTest : public QObject {
     blind.camera.sensor.sensitivity.setZero();
     const auto photographs = photograph(skin(), test::li2024(), blind, 0.0, 1, {});
     EXPECT_OK(photographs);
-    for (const float value : load(photographs.value().channels[0])) QCOMPARE(value, 0.0f);
+    for (const float value : load(photographs.value().channels[0]))
+      QCOMPARE(value, 0.0f);
   }
 
   void stopsWhenAsked() {

@@ -1,4 +1,5 @@
-#include <QtTest>
+#include "core/simulate/skin_patch.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -6,12 +7,12 @@
 #include <functional>
 #include <vector>
 
+#include <QtTest>
 #include <tbb/global_control.h>
 
-#include "core/simulate/lips.h"
-#include "core/simulate/patch_painter.h"
-#include "core/simulate/skin_patch.h"
-#include "core/simulate/veins.h"
+#include "core/simulate/paint/lips.h"
+#include "core/simulate/paint/patch_painter.h"
+#include "core/simulate/paint/veins.h"
 #include "core/skin/parameter_buffer.h"
 #include "core/skin/pixel_state.h"
 #include "core/spectra/colorimetry.h"
@@ -24,7 +25,9 @@ namespace {
 
 constexpr int kSize = 512;
 
-const ParameterAxes& axes() { return test::li2024().profile().axes; }
+const ParameterAxes& axes() {
+  return test::li2024().profile().axes;
+}
 
 // A patch in memory.
 struct Patch {
@@ -178,10 +181,12 @@ class SkinPatchTest : public QObject {
   void cornersAreBackground() {
     const Patch& patch = sample();
     for (const int x : {0, kSize - 1}) {
-      for (const int y : {0, kSize - 1}) QCOMPARE(patch.mask[patch.index(x, y)], 0.0f);
+      for (const int y : {0, kSize - 1})
+        QCOMPARE(patch.mask[patch.index(x, y)], 0.0f);
     }
     double share = 0.0;
-    for (const float inside : patch.mask) share += inside;
+    for (const float inside : patch.mask)
+      share += inside;
     share /= static_cast<double>(patch.mask.size());
     QVERIFY2(share > 0.75 && share < 0.95, qPrintable(QString::number(share)));
   }
@@ -206,14 +211,16 @@ class SkinPatchTest : public QObject {
     for (std::size_t i = 0; i < sample().values.count(); i += 97) {
       if (sample().mask[i] == 0.0f) continue;
       ParameterVector p;
-      for (const Parameter parameter : kParameters) p[parameter] = sample().at(parameter, i);
+      for (const Parameter parameter : kParameters)
+        p[parameter] = sample().at(parameter, i);
       const Eigen::Vector3d xyz =
           (rows.matrix() * test::li2024().reflectance(p).matrix()).cwiseProduct(white);
       const double angle = individualTypologyAngle(labFromXyz(xyz, white));
       ++groups[angle > 41.0 ? 0 : angle > 28.0 ? 1 : angle > 10.0 ? 2 : 3];
       ++count;
     }
-    for (const int group : groups) QVERIFY(group > count / 10);
+    for (const int group : groups)
+      QVERIFY(group > count / 10);
   }
 
   void flushIsRedderThanItsSurroundings() {
@@ -261,8 +268,7 @@ class SkinPatchTest : public QObject {
       return lips.depth(static_cast<float>(x * kSize), static_cast<float>(y * kSize)) > 6.0f;
     };
     const auto around = [&](double x, double y) {
-      const float depth =
-          lips.depth(static_cast<float>(x * kSize), static_cast<float>(y * kSize));
+      const float depth = lips.depth(static_cast<float>(x * kSize), static_cast<float>(y * kSize));
       return depth < -8.0f && depth > -30.0f;
     };
     QVERIFY(median(sample(), kHaemoglobinDermal, on) >
@@ -338,7 +344,8 @@ class SkinPatchTest : public QObject {
     QVERIFY(deeper > all / 50 && deeper < all / 3);
     for (const Parameter parameter : kParameters) {
       std::vector<float> row;
-      for (int x = 150; x < 200; ++x) row.push_back(sample().at(parameter, sample().index(x, 150)));
+      for (int x = 150; x < 200; ++x)
+        row.push_back(sample().at(parameter, sample().index(x, 150)));
       std::sort(row.begin(), row.end());
       QVERIFY(std::adjacent_find(row.begin(), row.end()) == row.end());
     }

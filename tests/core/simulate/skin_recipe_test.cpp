@@ -1,7 +1,8 @@
-#include <QtTest>
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include <QtTest>
 
 #include "core/simulate/skin_patch.h"
 #include "src/files/recipe_file.h"
@@ -61,7 +62,8 @@ class SkinRecipeTest : public QObject {
     QTest::newRow("parameter") << R"({"tones": [{"parameters": {"melanin": 2}}]})"
                                << "test.json: skin.tones[0].parameters.melanin must be between 0 "
                                   "and 1";
-    QTest::newRow("no tone") << R"({"tones": []})" << "test.json: skin.tones is empty";
+    QTest::newRow("no tone") << R"({"tones": []})"
+                             << "test.json: skin.tones is empty";
     QTest::newRow("too fine") << R"({"stubble": {"spacing": 0.00001}})"
                               << "test.json: skin.stubble.spacing must be between 0.002 and 1";
     QTest::newRow("endless vein") << R"({"veins": [{"length": 9}]})"

@@ -6,8 +6,8 @@
 #include <QtTest>
 
 #include "core/base/instruction_set.h"
-#include "core/skin/layer_table.h"
-#include "core/skin/layer_table_batch.h"
+#include "core/skin/layers/table.h"
+#include "core/skin/layers/table_batch.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"

@@ -1,5 +1,3 @@
-#include "core/skin/layer_table.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -10,8 +8,9 @@
 #include <QtTest>
 
 #include "core/base/random.h"
-#include "core/skin/absorption.h"
-#include "core/skin/parameter_sampling.h"
+#include "core/skin/layers/table.h"
+#include "core/skin/profile/absorption.h"
+#include "core/skin/profile/parameter_sampling.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"

@@ -1,11 +1,11 @@
-#include "core/skin/measurement_geometry.h"
+#include "core/skin/model/measurement_geometry.h"
 
 #include <cmath>
 #include <vector>
 
 #include <QtTest>
 
-#include "core/skin/adding_doubling.h"
+#include "core/transport/adding_doubling.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 

@@ -1,4 +1,4 @@
-#include "core/skin/prior.h"
+#include "core/skin/profile/prior.h"
 
 #include <cmath>
 #include <limits>

@@ -1,9 +1,10 @@
-#include <QtTest>
 #include <array>
 #include <cmath>
 
-#include "core/skin/diffusion.h"
-#include "core/skin/parameter_sampling.h"
+#include <QtTest>
+
+#include "core/skin/profile/parameter_sampling.h"
+#include "core/transport/diffusion.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -11,9 +12,13 @@
 namespace cutis {
 namespace {
 
-const SkinModel& model() { return test::li2024(); }
+const SkinModel& model() {
+  return test::li2024();
+}
 
-int sampleAt(int nm) { return (nm - kFirstWavelengthNm) / kWavelengthStepNm; }
+int sampleAt(int nm) {
+  return (nm - kFirstWavelengthNm) / kWavelengthStepNm;
+}
 
 // The multipole series itself: image sources mirrored between the two extrapolated boundaries of
 // a slab (Donner & Jensen 2005), plane-integrated, pair by pair.
@@ -51,7 +56,8 @@ class ReferenceModelTest : public QObject {
  private slots:
   // MODEL.md, "Check values".
   void meetsTheCheckValues() {
-    constexpr std::array<int, 12> nm = {300, 350, 414, 450, 500, 542, 576, 600, 700, 850, 970, 1000};
+    constexpr std::array<int, 12> nm = {300, 350, 414, 450, 500, 542,
+                                        576, 600, 700, 850, 970, 1000};
     struct Row {
       ParameterVector parameters;
       std::array<double, 12> reflectance;
@@ -184,7 +190,8 @@ class ReferenceModelTest : public QObject {
 
   void axesInvertThemselves() {
     for (const ParameterAxis& axis : model().profile().axes) {
-      for (int i = 0; i < axis.samples; ++i) EXPECT_NEAR(axis.index(axis.value(i)), i, 1e-9);
+      for (int i = 0; i < axis.samples; ++i)
+        EXPECT_NEAR(axis.index(axis.value(i)), i, 1e-9);
       EXPECT_NEAR(axis.value(axis.samples - 1), axis.maximum, 1e-15);
     }
   }

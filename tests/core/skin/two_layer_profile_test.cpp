@@ -8,9 +8,9 @@
 
 #include <QtTest>
 
-#include "core/skin/absorption.h"
-#include "core/skin/adding_doubling.h"
-#include "src/files/profile_file.h"
+#include "core/skin/profile/absorption.h"
+#include "core/transport/adding_doubling.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"

@@ -1,13 +1,14 @@
-#include <QtTest>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <vector>
 
+#include <QtTest>
+
 #include "core/base/instruction_set.h"
-#include "core/skin/parameter_sampling.h"
-#include "core/skin/reflectance_batch.h"
+#include "core/skin/model/reflectance_batch.h"
+#include "core/skin/profile/parameter_sampling.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -15,7 +16,9 @@
 namespace cutis {
 namespace {
 
-const SkinModel& model() { return test::li2024(); }
+const SkinModel& model() {
+  return test::li2024();
+}
 
 std::vector<int> wholeGrid() {
   std::vector<int> samples(kSampleCount);
@@ -58,7 +61,7 @@ struct Errors {
 
 template <typename T>
 Errors errorsAgainstReference() {
-  const NodeModel nodes(model(), wholeGrid());
+  const CompiledModel nodes(model(), wholeGrid());
   const std::vector<ParameterVector> points = testPoints();
   const Columns<T> columns(points);
   const std::size_t count = points.size();
@@ -72,16 +75,17 @@ Errors errorsAgainstReference() {
       p[static_cast<Eigen::Index>(k)] = columns.columns[k][i];
     }
     for (int s = 0; s < kSampleCount; ++s) {
-      const LayeredReflectance exact = model().optics().evaluate(
-          s, epidermalAbsorptionAt(model().epidermis(), s, p),
-          dermalAbsorptionAt(model().dermis(), s, p));
+      const LayeredReflectance exact =
+          model().optics().evaluate(s, epidermalAbsorptionAt(model().epidermis(), s, p),
+                                    dermalAbsorptionAt(model().dermis(), s, p));
       const std::size_t at = static_cast<std::size_t>(s) * count + i;
       errors.value = std::max(errors.value, std::abs(value[at] - exact.reflectance));
       const auto slopeError = [](double a, double b) {
         return std::abs(a - b) / (1e-4 * std::max(std::abs(b), 1e-3));
       };
-      errors.slope = std::max({errors.slope, slopeError(epidermal[at], exact.perEpidermalAbsorption),
-                               slopeError(dermal[at], exact.perDermalAbsorption)});
+      errors.slope =
+          std::max({errors.slope, slopeError(epidermal[at], exact.perEpidermalAbsorption),
+                    slopeError(dermal[at], exact.perDermalAbsorption)});
     }
   }
   return errors;
@@ -96,7 +100,8 @@ class VectorisedModelTest : public QObject {
 
   void agreesWithTheReference_data() {
     QTest::addColumn<QString>("instructionSet");
-    for (const char* name : {"scalar", "sse4", "avx2", "avx512"}) QTest::newRow(name) << name;
+    for (const char* name : {"scalar", "sse4", "avx2", "avx512"})
+      QTest::newRow(name) << name;
   }
   void agreesWithTheReference() {
     QFETCH(QString, instructionSet);
@@ -112,23 +117,25 @@ class VectorisedModelTest : public QObject {
   }
 
   void aPixelDoesNotDependOnItsPlace() {
-    const NodeModel nodes(model(), {20, 60, 100, 140, 180});
+    const CompiledModel nodes(model(), {20, 60, 100, 140, 180});
     const std::vector<ParameterVector> points = sampleBox(model().profile().axes, 37);
     const Columns<float> columns(points);
     std::vector<float> together(points.size() * 5);
     reflectanceBatch<float>(nodes, columns.batch, together.data());
     for (std::size_t i = 0; i < points.size(); ++i) {
       ParameterBatch<float> one = columns.batch;
-      for (const float*& values : one.values) values += i;
+      for (const float*& values : one.values)
+        values += i;
       one.count = 1;
       float alone[5];
       reflectanceBatch<float>(nodes, one, alone);
-      for (std::size_t n = 0; n < 5; ++n) QCOMPARE(alone[n], together[n * points.size() + i]);
+      for (std::size_t n = 0; n < 5; ++n)
+        QCOMPARE(alone[n], together[n * points.size() + i]);
     }
   }
 
   void notANumberStaysInItsPixel() {
-    const NodeModel nodes(model(), {100});
+    const CompiledModel nodes(model(), {100});
     std::vector<ParameterVector> points = sampleBox(model().profile().axes, 20);
     std::vector<float> clean(points.size()), spoiled(points.size());
     const Columns<float> columns(points);

@@ -1,9 +1,11 @@
-#include <Eigen/LU>
-#include <QtTest>
+#include "core/spectra/colorimetry.h"
+
 #include <cmath>
 #include <limits>
 
-#include "core/spectra/colorimetry.h"
+#include <Eigen/LU>
+#include <QtTest>
+
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -18,14 +20,16 @@ using Eigen::Vector3d;
 const Vector3d kD65 = {0.95047, 1.0, 1.08883};
 const Vector3d kA = {1.09850, 1.0, 0.35585};
 
-Vector3d chromaticity(const Vector3d& xyz) { return xyz / xyz.sum(); }
+Vector3d chromaticity(const Vector3d& xyz) {
+  return xyz / xyz.sum();
+}
 
 class ColorimetryTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // CIE 15:2018: x, y of illuminants under the 2° observer. Fluorescent lamps are tabulated in steps
-  // of 5 nm, wider than their lines; interpolating them to our grid moves them a little.
+  // CIE 15:2018: x, y of illuminants under the 2° observer. Fluorescent lamps are tabulated in
+  // steps of 5 nm, wider than their lines; interpolating them to our grid moves them a little.
   void whitePointsOfTheIlluminants_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<double>("x");

@@ -1,5 +1,6 @@
-#include <QtTest>
 #include <array>
+
+#include <QtTest>
 
 #include "core/base/random.h"
 #include "core/spectra/colorimetry.h"
@@ -55,7 +56,9 @@ constexpr std::array<Pair, 34> kPublished = {{
     {{2.0776, 0.0795, -1.1350}, {0.9033, -0.0636, -0.5514}, 0.9082},
 }};
 
-Vector3d vector(const std::array<double, 3>& lab) { return {lab[0], lab[1], lab[2]}; }
+Vector3d vector(const std::array<double, 3>& lab) {
+  return {lab[0], lab[1], lab[2]};
+}
 
 Vector3d randomColour(Random& random) {
   return {random.uniform(0, 100), random.uniform(-90, 90), random.uniform(-90, 90)};

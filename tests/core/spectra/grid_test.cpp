@@ -1,8 +1,10 @@
-#include <QtTest>
+#include "core/spectra/grid.h"
+
 #include <cmath>
 
+#include <QtTest>
+
 #include "core/base/random.h"
-#include "core/spectra/grid.h"
 #include "core/spectra/spectral_curve.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -54,7 +56,8 @@ class SpectralCurveTest : public QObject {
       curve.values.push_back(random.uniform(-5.0, 5.0));
     }
     const Spectrum once = resample(curve);
-    for (int i = 0; i < kSampleCount; ++i) QCOMPARE(once[i], curve.values[std::size_t(i)]);
+    for (int i = 0; i < kSampleCount; ++i)
+      QCOMPARE(once[i], curve.values[std::size_t(i)]);
     // And doing it again changes nothing.
     curve.values.assign(once.begin(), once.end());
     QVERIFY((resample(curve) == once).all());
@@ -63,7 +66,8 @@ class SpectralCurveTest : public QObject {
   void straightLinesStayStraight() {
     const SpectralCurve curve = {{280, 333.3, 471, 800.5, 1100}, {280, 333.3, 471, 800.5, 1100}};
     const Spectrum line = resample(curve);
-    for (int i = 0; i < kSampleCount; ++i) EXPECT_NEAR(line[i], wavelengthNm(i), 1e-10);
+    for (int i = 0; i < kSampleCount; ++i)
+      EXPECT_NEAR(line[i], wavelengthNm(i), 1e-10);
   }
 
   void isZeroOutsideItsRange() {

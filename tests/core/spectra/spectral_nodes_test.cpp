@@ -1,9 +1,11 @@
-#include <QtTest>
+#include "core/spectra/spectral_nodes.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "core/skin/parameter_sampling.h"
-#include "core/spectra/spectral_nodes.h"
+#include <QtTest>
+
+#include "core/skin/profile/parameter_sampling.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -113,7 +115,8 @@ class SpectralNodesTest : public QObject {
   // Nodes only where some row looks: a view without UV evaluates none there.
   void onlyWavelengthsInUse() {
     const SpectralNodes nodes = chooseSpectralNodes(bandRows(), training(), checking());
-    for (const int sample : nodes.samples) QVERIFY(sample <= 50 || sample >= 200);
+    for (const int sample : nodes.samples)
+      QVERIFY(sample <= 50 || sample >= 200);
     EXPECT_AT_MOST(rms(errors(nodes, bandRows(), spectra(300, 5000))), 1.3e-5);
   }
 

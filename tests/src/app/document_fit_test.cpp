@@ -3,9 +3,9 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/albedo_export.h"
-#include "core/skin/profile_signature.h"
-#include "src/app/document.h"
+#include "core/skin/profile/profile_signature.h"
+#include "src/app/document/document.h"
+#include "src/app/export/albedo_export.h"
 #include "src/files/resources.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"

@@ -1,11 +1,11 @@
 // Document and layer server together, on the embedded sample.
 
-#include "src/app/document.h"
+#include "src/app/document/document.h"
 
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/layer_server.h"
+#include "src/app/document/view_server.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -37,7 +37,8 @@ class DocumentTest : public QObject {
   }
   void cleanupTestCase() { jobs_.stopAll(); }
   void init() {
-    while (document_.history().canUndo()) document_.undo();
+    while (document_.history().canUndo())
+      document_.undo();
     QTRY_VERIFY_WITH_TIMEOUT(jobs_.isIdle(), kPatienceMs);
   }
 
@@ -50,9 +51,9 @@ class DocumentTest : public QObject {
   }
 
   void aWatchIsServedWheneverItsPartChanges() {
-    QVector<LayerRequest> served;
+    QVector<ViewRequest> served;
     const auto watch = server_.watch(0, [&](const auto& part) { served << part->request; });
-    const LayerRequest request = {LayerKind::skin, {300, 300, 400, 380}, 2};
+    const ViewRequest request = {ViewKind::skin, {300, 300, 400, 380}, 2};
     watch->want(request);
     QTRY_COMPARE(served.size(), 1);
     QVERIFY(served[0] == request);
@@ -68,7 +69,7 @@ class DocumentTest : public QObject {
   void whileAControlMovesPartsAreCoarseAndThenFine() {
     QVector<int> steps;
     const auto watch = server_.watch(0, [&](const auto& part) { steps << part->request.step; });
-    watch->want({LayerKind::melanin, {0, 0, 512, 512}, 1});
+    watch->want({ViewKind::melanin, {0, 0, 512, 512}, 1});
     QTRY_COMPARE(steps.size(), 1);
     document_.apply(scaleMelanin(1.1, true));
     QTRY_COMPARE(steps.size(), 2);
@@ -81,7 +82,7 @@ class DocumentTest : public QObject {
   void aWatchThatIsGoneIsNotServed() {
     int served = 0;
     auto watch = server_.watch(0, [&](const auto&) { ++served; });
-    watch->want({LayerKind::skin, {0, 0, 1024, 1024}, 1});
+    watch->want({ViewKind::skin, {0, 0, 1024, 1024}, 1});
     watch.reset();
     QTRY_VERIFY_WITH_TIMEOUT(jobs_.isIdle(), kPatienceMs);
     QCOMPARE(served, 0);
@@ -89,9 +90,9 @@ class DocumentTest : public QObject {
 
   // A part is what the whole picture has there, whatever its step and bands.
   void partsAgreeWithTheMaps() {
-    std::shared_ptr<const LayerPart> part;
+    std::shared_ptr<const ViewPart> part;
     const auto watch = server_.watch(0, [&](const auto& served) { part = served; });
-    const LayerRequest request = {LayerKind::melanin, {255, 250, 600, 421}, 3};
+    const ViewRequest request = {ViewKind::melanin, {255, 250, 600, 421}, 3};
     watch->want(request);
     QTRY_VERIFY(part != nullptr);
     const Plane& plane = document_.scene().maps.values[kMelanin];
@@ -134,7 +135,7 @@ class DocumentTest : public QObject {
   Engine engine_{std::filesystem::path()};
   JobRunner jobs_;
   Document document_{engine_, jobs_};
-  LayerServer server_{document_, engine_, jobs_};
+  ViewServer server_{document_, engine_, jobs_};
 };
 
 CUTIS_TEST(DocumentTest)

@@ -1,9 +1,10 @@
 #include "src/app/job_runner.h"
 
-#include <QSignalSpy>
-#include <QtTest>
 #include <atomic>
 #include <chrono>
+
+#include <QSignalSpy>
+#include <QtTest>
 
 #include "tests/support/test_registry.h"
 
@@ -11,7 +12,8 @@ namespace cutis {
 namespace {
 
 void workUntilStopped(const JobRunner::Handle& job) {
-  while (!job.context.stopRequested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (!job.context.stopRequested())
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 class JobRunnerTest : public QObject {
@@ -50,7 +52,8 @@ class JobRunnerTest : public QObject {
       posted = true;
       workUntilStopped(job);
     });
-    while (!posted) std::this_thread::yield();
+    while (!posted)
+      std::this_thread::yield();
     jobs.cancel(id);
     QVERIFY(jobs.isIdle());
     QTest::qWait(50);
@@ -62,7 +65,8 @@ class JobRunnerTest : public QObject {
     QSignalSpy finished(&jobs, &JobRunner::finished);
     std::atomic<bool> mayEnd = false;
     const JobId id = jobs.start("deaf", [&](const JobRunner::Handle&) {
-      while (!mayEnd) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (!mayEnd)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
     jobs.cancel(id);
     jobs.cancel(id);

@@ -1,10 +1,10 @@
 // Training of both networks: what is told while it runs, and going on after it was stopped.
 
-#include "src/app/network_training.h"
+#include "src/app/training/network_training.h"
 
 #include <QtTest>
 
-#include "src/app/network_errors.h"
+#include "src/app/training/network_errors.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"

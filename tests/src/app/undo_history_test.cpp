@@ -1,4 +1,4 @@
-#include "src/app/undo_history.h"
+#include "src/app/document/undo_history.h"
 
 #include <QtTest>
 

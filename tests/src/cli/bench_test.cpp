@@ -30,11 +30,10 @@ class BenchTest : public QObject {
 
   void theReportHasAllFigures() {
     for (const char* key :
-         {"version",   "processor",   "isa",        "threads",      "profile", "rig",
-          "pixels",    "subsample",   "quick",      "bounds",       "methods", "sample",
-          "coverage",  "lights",      "parameters", "encodings",    "sizes",   "scaling",
-          "networks",  "starts",
-          "published", "speed_ratio", "goals",      "first_picture"}) {
+         {"version",  "processor", "isa",        "threads",     "profile", "rig",
+          "pixels",   "subsample", "quick",      "bounds",      "methods", "sample",
+          "coverage", "lights",    "parameters", "encodings",   "sizes",   "scaling",
+          "networks", "starts",    "published",  "speed_ratio", "goals",   "first_picture"}) {
       QVERIFY2(report_.contains(key), key);
     }
     QCOMPARE(report_["methods"].size(), kRows);
@@ -143,10 +142,10 @@ class BenchTest : public QObject {
     std::size_t from = 0;
     for (const char* heading :
          {"cutis-cli " CUTIS_VERSION " bench --quick", "What the paper published", "Bayesian",
-          "Networks, vis MSE", "SpectraNN by itself",
-          "drawn from the protocol's population", "errors of parameters", "by skin tone",
-          "pixels of the sample", "two posterior deviations", "White light alone",
-          "Carotene held at 0", "refined fit begins", "Kinds of input", "pictures by size", "pictures by threads",
+          "Networks, vis MSE", "SpectraNN by itself", "drawn from the protocol's population",
+          "errors of parameters", "by skin tone", "pixels of the sample",
+          "two posterior deviations", "White light alone", "Carotene held at 0",
+          "refined fit begins", "Kinds of input", "pictures by size", "pictures by threads",
           "What was to be reached"}) {
       const auto found = outcome_.output.find(heading, from);
       QVERIFY2(found != std::string::npos, heading);
@@ -188,8 +187,9 @@ class BenchTest : public QObject {
   void thePlotNamesItsPoints() {
     const std::string plot = run_.read("bench.svg");
     QVERIFY(plot.starts_with("<svg"));
-    for (const char* part : {"refined, wide prior", "refined, exact", "paper: network", "Bayesian", "own population",
-                             "full search, exhaustive (scaled)", "Memory, MB", "threads"})
+    for (const char* part :
+         {"refined, wide prior", "refined, exact", "paper: network", "Bayesian", "own population",
+          "full search, exhaustive (scaled)", "Memory, MB", "threads"})
       QVERIFY2(plot.find(part) != std::string::npos, part);
   }
 

@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "src/files/profile_file.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -32,7 +32,8 @@ std::string parametersOfPeople() {
     const double other = (i * 7 % 16 + 0.5) / 16.0;
     text += std::to_string(0.01 + 0.2 * share) + "," + std::to_string(0.3 + 0.6 * other) + "," +
             std::to_string(0.01 + 0.06 * (1.0 - other)) + "," +
-            std::to_string(0.01 + 0.03 * share) + "," + std::to_string(0.0005 + 0.002 * other) + "\n";
+            std::to_string(0.01 + 0.03 * share) + "," + std::to_string(0.0005 + 0.002 * other) +
+            "\n";
   }
   return text;
 }
@@ -53,13 +54,14 @@ class CalibrateTest : public QObject {
     run_.write("truth.json", withThickness("0.36"));
     run_.write("START.json", withThickness("0.45"));
     run_.write("recipe.json", kRecipe);
-    EXPECT_DONE(run_.run("spectrum --csv sets.csv --profile truth.json -o skin.csv --specular "
-                         "included --specular-share 0.03"));
+    EXPECT_DONE(
+        run_.run("spectrum --csv sets.csv --profile truth.json -o skin.csv --specular "
+                 "included --specular-share 0.03"));
   }
 
   void theThicknessIsFound() {
-    const Outcome outcome = run_.run(
-        "calibrate-profile recipe.json skin.csv -o made.json --halvings 1 --bootstraps 3");
+    const Outcome outcome =
+        run_.run("calibrate-profile recipe.json skin.csv -o made.json --halvings 1 --bootstraps 3");
     EXPECT_DONE(outcome);
     for (const char* part :
          {"epidermis.thickness_mm", "a specular_share", "left out", "400-700 nm"}) {
@@ -84,7 +86,8 @@ class CalibrateTest : public QObject {
     const auto outcomes = run_.runAll(
         {QString::fromStdString("calibrate-profile recipe.json -o one.json" + options + "1"),
          QString::fromStdString("calibrate-profile recipe.json -o two.json" + options + "2")});
-    for (const Outcome& outcome : outcomes) EXPECT_DONE(outcome);
+    for (const Outcome& outcome : outcomes)
+      EXPECT_DONE(outcome);
     QVERIFY(run_.read("one.json") == run_.read("two.json"));
     QVERIFY(outcomes[0].output == outcomes[1].output);
   }
@@ -114,7 +117,8 @@ class CalibrateTest : public QObject {
     row("no recipe", "none.json skin.csv", "x.json", 3, "none.json");
     row("unknown recipe", "skin2062 skin.csv", "x.json", 3, "skin2026");
     row("no such field", "nofield.json skin.csv", "x.json", 3, "epidermis.depth_mm");
-    row("too many files", "recipe.json skin.csv skin.csv", "x.json", 2, "takes 1 file, given were 2");
+    row("too many files", "recipe.json skin.csv skin.csv", "x.json", 2,
+        "takes 1 file, given were 2");
     row("no file", "recipe.json none.csv", "x.json", 3, "none.csv");
     row("range", "recipe.json short.csv", "x.json", 3, "320 to 700 nm");
     row("few", "recipe.json few.csv", "x.json", 3, "too few spectra: 1");

@@ -6,9 +6,9 @@
 
 #include "core/edit/edit_stack.h"
 #include "core/render/relight.h"
-#include "core/skin/skin_model.h"
+#include "core/skin/model/skin_model.h"
 #include "src/app/picture_request.h"
-#include "src/files/profile_file.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -35,8 +35,7 @@ std::vector<ParameterVector> parametersOf(const ChromophoreMaps& maps) {
 }
 
 const SkinModel& usualModel() {
-  static const auto model =
-      SkinModel::create(loadProfile(kDefaultProfile, "test").value()).value();
+  static const auto model = SkinModel::create(loadProfile(kDefaultProfile, "test").value()).value();
   return *model;
 }
 

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/skin/measurement_geometry.h"
-#include "src/images/capture_file.h"
+#include "core/skin/model/measurement_geometry.h"
+#include "src/images/capture/capture_file.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"

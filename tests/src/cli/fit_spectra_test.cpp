@@ -2,8 +2,8 @@
 #include <sstream>
 #include <utility>
 
-#include "core/skin/parameter_sampling.h"
-#include "src/files/csv.h"
+#include "core/skin/profile/parameter_sampling.h"
+#include "src/files/io/csv.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -95,15 +95,16 @@ class FitSpectraTest : public QObject {
   void whatCannotBeFreeIsRefused_data() {
     QTest::addColumn<QString>("names");
     QTest::addColumn<QString>("part");
-    QTest::newRow("unknown") << "water" << "'water' cannot be found by a fit";
-    QTest::newRow("twice") << "thickness,thickness" << "'thickness' is there twice";
+    QTest::newRow("unknown") << "water"
+                             << "'water' cannot be found by a fit";
+    QTest::newRow("twice") << "thickness,thickness"
+                           << "'thickness' is there twice";
   }
   void whatCannotBeFreeIsRefused() {
     QFETCH(QString, names);
     QFETCH(QString, part);
     run_.write("free.csv", spectraInRows(people(1)));
-    const Outcome outcome =
-        run_.run("fit-spectra free.csv -o none.csv --free " + names);
+    const Outcome outcome = run_.run("fit-spectra free.csv -o none.csv --free " + names);
     QCOMPARE(outcome.status, 2);
     QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
     QVERIFY2(outcome.errors.find(part.toStdString()) != std::string::npos, outcome.errors.c_str());
@@ -125,8 +126,8 @@ class FitSpectraTest : public QObject {
     const auto spectra = people(100);
     run_.write("rows.csv", spectraInRows(spectra));
     run_.write("columns.csv", spectraInColumns(spectra));
-    EXPECT_DONE(
-        run_.run("fit-spectra rows.csv -o one.csv --profile li2024 --threads 1 --specular excluded"));
+    EXPECT_DONE(run_.run(
+        "fit-spectra rows.csv -o one.csv --profile li2024 --threads 1 --specular excluded"));
     EXPECT_DONE(
         run_.run("fit-spectra rows.csv -o two.csv --profile li2024 --threads 2 --range 400:700"));
     const Outcome quiet =

@@ -13,7 +13,7 @@
 
 #include "core/base/plane.h"
 #include "src/images/image_file.h"
-#include "src/images/maps_file.h"
+#include "src/images/maps/maps_file.h"
 #include "tests/support/scratch_folder.h"
 
 namespace cutis::test {

@@ -78,9 +78,8 @@ class UsageTest : public QObject {
   void helpAndVersionAreToldEverywhere() {
     const Outcome all = run_.run("--help");
     EXPECT_DONE(all);
-    for (const char* command :
-         {"fit", "edit", "render", "apply", "spectrum", "fit-spectra", "simulate", "validate",
-          "bench", "info", "Exit status"}) {
+    for (const char* command : {"fit", "edit", "render", "apply", "spectrum", "fit-spectra",
+                                "simulate", "validate", "bench", "info", "Exit status"}) {
       QVERIFY2(all.output.find(command) != std::string::npos, command);
     }
     const Outcome fit = run_.run("fit --help");

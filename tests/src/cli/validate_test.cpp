@@ -7,8 +7,8 @@
 
 #include <QXmlStreamReader>
 
-#include "src/files/csv.h"
-#include "src/files/profile_file.h"
+#include "src/files/io/csv.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -149,8 +149,7 @@ class ValidateTest : public QObject {
     run_.write("fonts.conf", "<?xml version=\"1.0\"?>\n<fontconfig></fontconfig>\n");
     qputenv("FONTCONFIG_FILE", QByteArray::fromStdString((run_ / "fonts.conf").string()));
     qunsetenv("QT_QPA_PLATFORM");
-    const Outcome outcome =
-        run_.run("validate skin.csv shiny.csv --profile li2024 --plot p.png");
+    const Outcome outcome = run_.run("validate skin.csv shiny.csv --profile li2024 --plot p.png");
     qputenv("FONTCONFIG_FILE", fonts);
     if (fonts.isNull()) qunsetenv("FONTCONFIG_FILE");
     qputenv("QT_QPA_PLATFORM", platform);

@@ -1,6 +1,5 @@
-#include <QFile>
-#include <QTemporaryDir>
-#include <QtTest>
+#include "src/color/color_space.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,9 +7,12 @@
 #include <thread>
 #include <vector>
 
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
 #include "core/spectra/colorimetry.h"
 #include "core/spectra/rgb_primaries.h"
-#include "src/color/color_space.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -130,10 +132,10 @@ class ColorSpaceTest : public QObject {
                  {1.660491, -0.587641, -0.072850, -0.124550, 1.132900, -0.008349, -0.018151,
                   -0.100579, 1.118730},
                  1e-5);
-    expectMatrix("Linear P3-D65",
-                 {1.2249402, -0.2249402, 0.0, -0.0420570, 1.0420570, 0.0, -0.0196376, -0.0786360,
-                  1.0982736},
-                 1e-5);
+    expectMatrix(
+        "Linear P3-D65",
+        {1.2249402, -0.2249402, 0.0, -0.0420570, 1.0420570, 0.0, -0.0196376, -0.0786360, 1.0982736},
+        1e-5);
   }
 
   // Adobe RGB (1998) colour image encoding, §4.3.5.3.
@@ -144,8 +146,8 @@ class ColorSpaceTest : public QObject {
     for (int i = 0; i < 9; ++i) {
       EXPECT_NEAR(xyz(i / 3, i % 3), published[static_cast<std::size_t>(i)], 1e-5);
     }
-    EXPECT_NEAR(toLinear("Adobe RGB (1998)", {0.5f, 0.5f, 0.5f})[1],
-                std::pow(0.5, 563.0 / 256.0), 1e-6);
+    EXPECT_NEAR(toLinear("Adobe RGB (1998)", {0.5f, 0.5f, 0.5f})[1], std::pow(0.5, 563.0 / 256.0),
+                1e-6);
   }
 
   void displayP3IsP3WithTheCurveOfSrgb() {
@@ -153,13 +155,16 @@ class ColorSpaceTest : public QObject {
     const Rgb linear = toLinear("Linear P3-D65", {static_cast<float>(decodeSrgb(0.8f)),
                                                   static_cast<float>(decodeSrgb(0.4f)),
                                                   static_cast<float>(decodeSrgb(0.2f))});
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(display[k], linear[k], 1e-6);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(display[k], linear[k], 1e-6);
   }
 
   void whiteStaysWhite() {
     for (const std::string& name : builtIn()) {
-      for (const float value : toLinear(name, {1, 1, 1})) EXPECT_NEAR(value, 1.0, 1e-6);
-      for (const float value : fromLinear(name, {1, 1, 1})) EXPECT_NEAR(value, 1.0, 1e-6);
+      for (const float value : toLinear(name, {1, 1, 1}))
+        EXPECT_NEAR(value, 1.0, 1e-6);
+      for (const float value : fromLinear(name, {1, 1, 1}))
+        EXPECT_NEAR(value, 1.0, 1e-6);
     }
   }
 
@@ -168,7 +173,8 @@ class ColorSpaceTest : public QObject {
       for (const Rgb& rgb : {Rgb{0.3f, 0.2f, 0.1f}, Rgb{1.5f, 0.0f, 0.4f}, Rgb{0.001f, 0.5f, 0.9f},
                              Rgb{-0.05f, 0.6f, 0.2f}}) {
         const Rgb back = fromLinear(name, toLinear(name, rgb));
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(back[k], rgb[k], 1e-5);
+        for (std::size_t k = 0; k < 3; ++k)
+          EXPECT_NEAR(back[k], rgb[k], 1e-5);
       }
     }
   }
@@ -185,8 +191,8 @@ class ColorSpaceTest : public QObject {
     for (const std::string& name : builtIn()) {
       const auto converter = toLinearRec709(name, "test");
       EXPECT_OK(converter);
-      std::vector<float> pixels = {0.5f, 0.4f, 0.3f, std::numeric_limits<float>::quiet_NaN(),
-                                   0.4f, 0.3f, 0.5f, 0.4f, 0.3f};
+      std::vector<float> pixels = {
+          0.5f, 0.4f, 0.3f, std::numeric_limits<float>::quiet_NaN(), 0.4f, 0.3f, 0.5f, 0.4f, 0.3f};
       EXPECT_OK(converter.value()(pixels));
       QVERIFY(std::isnan(pixels[3]));
       for (std::size_t k = 0; k < 3; ++k) {
@@ -241,7 +247,8 @@ class ColorSpaceTest : public QObject {
     // Twice ACES2065-1.
     const Rgb twice = toLinear("studio", {0.1f, 0.2f, 0.3f});
     const Rgb once = toLinear("ACES2065-1", {0.2f, 0.4f, 0.6f});
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(twice[k], once[k], 1e-6);
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(twice[k], once[k], 1e-6);
     const Rgb back = fromLinear("our_space", twice);
     EXPECT_NEAR(back[0], 0.1, 1e-6);
     EXPECT_NEAR(back[2], 0.3, 1e-6);
@@ -314,7 +321,8 @@ class ColorSpaceTest : public QObject {
       const auto converter = toLinearRec709(name, "test");
       EXPECT_OK(converter);
       std::vector<float> expected;
-      for (int i = 0; i < 3000; ++i) expected.push_back(static_cast<float>(i) / 3000.0f);
+      for (int i = 0; i < 3000; ++i)
+        expected.push_back(static_cast<float>(i) / 3000.0f);
       const std::vector<float> source = expected;
       EXPECT_OK(converter.value()(expected));
       std::vector<std::vector<float>> results(8, source);
@@ -323,7 +331,8 @@ class ColorSpaceTest : public QObject {
         threads.emplace_back([&] { (void)bool(converter.value()(pixels)); });
       }
       threads.clear();
-      for (const std::vector<float>& pixels : results) QCOMPARE(pixels, expected);
+      for (const std::vector<float>& pixels : results)
+        QCOMPARE(pixels, expected);
     }
   }
 };

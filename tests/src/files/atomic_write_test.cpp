@@ -1,9 +1,11 @@
-#include <QtTest>
+#include "src/files/io/atomic_write.h"
+
 #include <fstream>
 #include <new>
 #include <thread>
 
-#include "src/files/atomic_write.h"
+#include <QtTest>
+
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
@@ -84,10 +86,11 @@ class AtomicWriteTest : public QObject {
     folder.write("maps.exr", "old");
     bool thrown = false;
     try {
-      static_cast<void>(writeAtomically(folder / "maps.exr", [](const fs::path& temporary) -> Status {
-        std::ofstream(temporary) << "half";
-        throw std::bad_alloc();
-      }));
+      static_cast<void>(
+          writeAtomically(folder / "maps.exr", [](const fs::path& temporary) -> Status {
+            std::ofstream(temporary) << "half";
+            throw std::bad_alloc();
+          }));
     } catch (const std::bad_alloc&) {
       thrown = true;
     }
@@ -154,7 +157,8 @@ class AtomicWriteTest : public QObject {
   void oddNames() {
     const test::ScratchFolder folder;
     std::string skin;  // 84 characters of three bytes each
-    for (int i = 0; i < 84; ++i) skin += "皮";
+    for (int i = 0; i < 84; ++i)
+      skin += "皮";
     for (const std::string& name :
          {std::string(251, 'n') + ".txt", "a." + std::string(253, 'x'), skin + ".no",
           std::string(".hidden"), std::string("no extension"), std::string("häut 皮肤.txt"),

@@ -1,11 +1,11 @@
-#include "src/files/calibration_file.h"
+#include "src/files/profiles/calibration_file.h"
 
 #include <cmath>
 
 #include <QtTest>
 
-#include "src/files/profile_edit.h"
-#include "src/files/profile_file.h"
+#include "src/files/profiles/profile_edit.h"
+#include "src/files/profiles/profile_file.h"
 #include "src/files/resources.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
@@ -98,13 +98,15 @@ class CalibrationFileTest : public QObject {
     row("no aims", changed("[{\"from_nm\": 400, \"to_nm\": 700, \"rms\": 0.01}]", "[]"), "aims");
     row("aim backwards", changed("\"to_nm\": 700", "\"to_nm\": 300"), "to_nm");
     row("aim of nothing", changed("\"rms\": 0.01", "\"rms\": 0"), "rms");
-    row("prior of nobody", changed("{\"spectra\": \"a\",", "{\"spectra\": \"b\","), "prior.spectra");
+    row("prior of nobody", changed("{\"spectra\": \"a\",", "{\"spectra\": \"b\","),
+        "prior.spectra");
     row("same constant twice",
         changed("\"field\": \"specular_share\", \"spectra\": \"a\"",
                 "\"field\": \"epidermis.thickness_mm\""),
         "constants[1].field");
     row("same spectra twice",
-        changed("\"spectra\": [", "\"spectra\": [{\"name\": \"a\", \"specular\": \"excluded\", "
+        changed("\"spectra\": [",
+                "\"spectra\": [{\"name\": \"a\", \"specular\": \"excluded\", "
                 "\"aims\": [{\"from_nm\": 400, \"to_nm\": 700, \"rms\": 1}]}, "),
         "spectra[1].name");
     row("no range", changed("\"high\": 0.5", "\"high\": 0.1"), "constants[0].high");

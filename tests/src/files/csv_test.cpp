@@ -1,11 +1,13 @@
-#include <QtTest>
+#include "src/files/io/csv.h"
+
 #include <clocale>
 #include <cmath>
 #include <limits>
 
+#include <QtTest>
+
 #include "core/base/random.h"
-#include "src/files/csv.h"
-#include "src/files/text_file.h"
+#include "src/files/io/text_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
@@ -48,8 +50,14 @@ class CsvTest : public QObject {
 
   void numbersAreWhollyNumbers() {
     for (const auto& [text, value] : std::vector<std::pair<const char*, double>>{
-             {"0", 0.0}, {"-1.5", -1.5}, {"+2", 2.0}, {"1e-3", 1e-3}, {".5", 0.5}, {"5.", 5.0},
-             {"1E+2", 100.0}, {"4.9406564584124654e-324", 4.9406564584124654e-324}}) {
+             {"0", 0.0},
+             {"-1.5", -1.5},
+             {"+2", 2.0},
+             {"1e-3", 1e-3},
+             {".5", 0.5},
+             {"5.", 5.0},
+             {"1E+2", 100.0},
+             {"4.9406564584124654e-324", 4.9406564584124654e-324}}) {
       QVERIFY2(parseNumber(text), text);
       EXPECT_NEAR(*parseNumber(text), value, 0.0);
     }
@@ -84,7 +92,8 @@ class CsvTest : public QObject {
   void writtenNumbersComeBack() {
     Random random(1);
     for (int i = 0; i < 2000; ++i) {
-      const double value = std::ldexp(random.uniform(-1.0, 1.0), static_cast<int>(random.uniform(-300, 300)));
+      const double value =
+          std::ldexp(random.uniform(-1.0, 1.0), static_cast<int>(random.uniform(-300, 300)));
       EXPECT_NEAR(*parseNumber(formatNumber(value)), value, 1e-8 * std::abs(value));
       EXPECT_NEAR(*parseNumber(formatNumber(value, 17)), value, 0.0);
     }
@@ -99,7 +108,8 @@ class TextFileTest : public QObject {
     const test::ScratchFolder folder;
     std::string text = "line\r\n";
     text += '\0';
-    for (int i = 0; i < 200000; ++i) text += static_cast<char>('a' + i % 26);
+    for (int i = 0; i < 200000; ++i)
+      text += static_cast<char>('a' + i % 26);
     const auto read = readTextFile(folder.write("a.txt", text));
     EXPECT_OK(read);
     QVERIFY(read.value() == text);

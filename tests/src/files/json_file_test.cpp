@@ -1,6 +1,7 @@
+#include "src/files/io/json_file.h"
+
 #include <QtTest>
 
-#include "src/files/json_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"

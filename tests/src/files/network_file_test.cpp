@@ -1,13 +1,13 @@
 // Weights files: written and read they are the same; what is not one is refused with a sentence.
 
-#include "src/files/network_file.h"
+#include "src/files/networks/network_file.h"
 
 #include <limits>
 
 #include <QtTest>
 
 #include "core/rig/rig.h"
-#include "core/skin/profile_signature.h"
+#include "core/skin/profile/profile_signature.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"

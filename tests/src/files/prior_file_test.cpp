@@ -1,8 +1,8 @@
-#include "src/files/prior_file.h"
+#include "src/files/profiles/prior_file.h"
 
 #include <QtTest>
 
-#include "src/files/profile_file.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"
@@ -13,7 +13,9 @@ namespace {
 
 // One with a linear carotene and correlations.
 Prior twoLayers() {
-  return loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test").value().prior;
+  return loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test")
+      .value()
+      .prior;
 }
 
 class PriorFileTest : public QObject {

@@ -1,8 +1,8 @@
-#include "src/files/profile_edit.h"
+#include "src/files/profiles/profile_edit.h"
 
 #include <QtTest>
 
-#include "src/files/profile_file.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 

@@ -1,14 +1,16 @@
-#include <QRegularExpression>
-#include <QtTest>
+#include "src/files/profiles/profile_file.h"
+
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "core/skin/node_model.h"
-#include "core/skin/profile_signature.h"
-#include "src/files/profile_file.h"
+#include <QRegularExpression>
+#include <QtTest>
+
+#include "core/skin/model/compiled_model.h"
+#include "core/skin/profile/profile_signature.h"
+#include "src/files/io/text_file.h"
 #include "src/files/resources.h"
-#include "src/files/text_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"
@@ -17,11 +19,15 @@
 namespace cutis {
 namespace {
 
-std::string paper() { return std::string(*resource("profiles/li2024.json")); }
+std::string paper() {
+  return std::string(*resource("profiles/li2024.json"));
+}
 
 constexpr char kMeasured[] = CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json";
 
-std::string measured() { return readTextFile(kMeasured).value(); }
+std::string measured() {
+  return readTextFile(kMeasured).value();
+}
 
 std::string changed(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
@@ -89,31 +95,30 @@ class ProfileFileTest : public QObject {
     QVERIFY(p.dermalScatteringLaw.has_value());
     QVERIFY(isLaw(p.dermalScatteringLaw->mie, 2.585, -0.71, 550.0));
     QVERIFY(isLaw(p.dermalScatteringLaw->rayleigh, 2.115, -4.0, 550.0));
-    const std::vector<std::pair<double, double>> values = {
-        {p.baseline.constant, 0.0244},
-        {p.baseline.tail.amplitude, 8.53},
-        {p.baseline.tail.originNm, 154},
-        {p.baseline.tail.decayNm, 66.2},
-        {p.bloodSmoothingNm, 4.25},
-        {p.caroteneInSkin.scale, 3},
-        {p.caroteneInSkin.shiftNm, 24},
-        {p.caroteneInSkin.smoothingNm, 8},
-        {p.fat.peak, 0.012},
-        {p.fat.centreNm, 920},
-        {p.fat.deviationNm, 22},
-        {p.epidermalThicknessMm, 0.093},
-        {p.epidermalWater, 0.2},
-        {p.epidermalBlood.oxygenation, 0.7},
-        {p.epidermalBlood.vesselRadiusMm, 0.004},
-        {p.epidermalUltraviolet.amplitude, 1.66},
-        {p.epidermalUltraviolet.originNm, 360},
-        {p.epidermalUltraviolet.decayNm, 28},
-        {p.dermalWater, 0.67},
-        {p.dermalBlood.oxygenation, 0.6},
-        {p.dermalBlood.vesselRadiusMm, 0.016},
-        {p.dermalBaselineFactor, 0.48},
-        {p.dermalFat, 0.78},
-        {p.refractiveIndex, 1.4}};
+    const std::vector<std::pair<double, double>> values = {{p.baseline.constant, 0.0244},
+                                                           {p.baseline.tail.amplitude, 8.53},
+                                                           {p.baseline.tail.originNm, 154},
+                                                           {p.baseline.tail.decayNm, 66.2},
+                                                           {p.bloodSmoothingNm, 4.25},
+                                                           {p.caroteneInSkin.scale, 3},
+                                                           {p.caroteneInSkin.shiftNm, 24},
+                                                           {p.caroteneInSkin.smoothingNm, 8},
+                                                           {p.fat.peak, 0.012},
+                                                           {p.fat.centreNm, 920},
+                                                           {p.fat.deviationNm, 22},
+                                                           {p.epidermalThicknessMm, 0.093},
+                                                           {p.epidermalWater, 0.2},
+                                                           {p.epidermalBlood.oxygenation, 0.7},
+                                                           {p.epidermalBlood.vesselRadiusMm, 0.004},
+                                                           {p.epidermalUltraviolet.amplitude, 1.66},
+                                                           {p.epidermalUltraviolet.originNm, 360},
+                                                           {p.epidermalUltraviolet.decayNm, 28},
+                                                           {p.dermalWater, 0.67},
+                                                           {p.dermalBlood.oxygenation, 0.6},
+                                                           {p.dermalBlood.vesselRadiusMm, 0.016},
+                                                           {p.dermalBaselineFactor, 0.48},
+                                                           {p.dermalFat, 0.78},
+                                                           {p.refractiveIndex, 1.4}};
     for (std::size_t k = 0; k < values.size(); ++k) {
       QVERIFY2(values[k].first == values[k].second, std::to_string(k).c_str());
     }
@@ -135,14 +140,17 @@ class ProfileFileTest : public QObject {
     std::string text = paper();
     for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
              {"\"exponent\": -3.33", "\"exponent\": -3.33, \"at_nm\": 1"},
-             {"\"oxygenation\": 0.75", "\"blood_smoothing_nm\": 0, \"carotene\": {\"scale\": 1, "
-                                     "\"shift_nm\": 0}, \"fat\": {\"peak\": 1, \"centre_nm\": "
-                                     "900, \"deviation_nm\": 20}"},
-             {"\"thickness_mm\"", "\"blood\": {\"oxygenation\": 0.75, \"vessel_radius_mm\": 0}, "
-                                "\"ultraviolet\": {\"amplitude\": 0, \"origin_nm\": 360, "
-                                "\"decay_nm\": 20}, \"thickness_mm\""},
-             {"\"scattering_ratio\"", "\"blood\": {\"oxygenation\": 0.75}, \"baseline_factor\": 1, "
-                                    "\"fat_fraction\": 0, \"scattering_ratio\""}}) {
+             {"\"oxygenation\": 0.75",
+              "\"blood_smoothing_nm\": 0, \"carotene\": {\"scale\": 1, "
+              "\"shift_nm\": 0}, \"fat\": {\"peak\": 1, \"centre_nm\": "
+              "900, \"deviation_nm\": 20}"},
+             {"\"thickness_mm\"",
+              "\"blood\": {\"oxygenation\": 0.75, \"vessel_radius_mm\": 0}, "
+              "\"ultraviolet\": {\"amplitude\": 0, \"origin_nm\": 360, "
+              "\"decay_nm\": 20}, \"thickness_mm\""},
+             {"\"scattering_ratio\"",
+              "\"blood\": {\"oxygenation\": 0.75}, \"baseline_factor\": 1, "
+              "\"fat_fraction\": 0, \"scattering_ratio\""}}) {
       text = changed(text, from, to);
     }
     const auto profile = parseProfile(text, "p.json");
@@ -162,8 +170,8 @@ class ProfileFileTest : public QObject {
     const ParameterVector skin = {0.05, 0.6, 0.03, 0.02, 0.001};
     const Spectrum found = model.reflectance(skin), paper = test::li2024().reflectance(skin);
     QVERIFY((found - paper).abs().maxCoeff() < 1e-14);
-    const NodeModel nodes(model, {0, 175, 350});
-    const NodeModel same(test::li2024(), {0, 175, 350});
+    const CompiledModel nodes(model, {0, 175, 350});
+    const CompiledModel same(test::li2024(), {0, 175, 350});
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_NEAR(nodes.nodes<double>()[k].dermalScattering,
                   same.nodes<double>()[k].dermalScattering, 1e-13);
@@ -200,36 +208,63 @@ class ProfileFileTest : public QObject {
       QTest::newRow(name) << from << to << message;
     };
     row("newer", "\"cutis_profile\": 1", "\"cutis_profile\": 9", "newer version");
-    row("another kind", "\"cutis_profile\": 1", "\"cutis_rig\": 1", "\"cutis_profile\": 1 is missing");
+    row("another kind", "\"cutis_profile\": 1", "\"cutis_rig\": 1",
+        "\"cutis_profile\": 1 is missing");
     row("unknown field", "\"dermis\"", "\"Dermis\"", "unknown field 'Dermis'");
     row("no maximum", "\"maximum\": 0.5, ", "", "parameters.melanin.maximum must be a number");
-    row("negative maximum", "\"maximum\": 0.5", "\"maximum\": -0.5", "parameters.melanin.maximum must be positive");
-    row("one sample", "\"samples\": 51", "\"samples\": 1", "parameters.melanin.samples must be between 2 and 256");
-    row("half a sample", "\"samples\": 51", "\"samples\": 51.5", "parameters.melanin.samples must be a whole number");
+    row("negative maximum", "\"maximum\": 0.5", "\"maximum\": -0.5",
+        "parameters.melanin.maximum must be positive");
+    row("one sample", "\"samples\": 51", "\"samples\": 1",
+        "parameters.melanin.samples must be between 2 and 256");
+    row("half a sample", "\"samples\": 51", "\"samples\": 51.5",
+        "parameters.melanin.samples must be a whole number");
     row("too many samples", "\"samples\": 51", "\"samples\": 257", "between 2 and 256");
-    row("spacing", "\"cubic\"", "\"quartic\"", "parameters.melanin.spacing must be \"uniform\", \"quadratic\" or \"cubic\"");
-    row("extra parameter", "\"parameters\": {", "\"parameters\": {\"bilirubin\": {}, ", "unknown field 'parameters.bilirubin'");
-    row("oxygenation", "\"oxygenation\": 0.75", "\"oxygenation\": 1.01", "absorption.oxygenation must be between 0 and 1");
-    row("water", "\"water_fraction\": 0.2", "\"water_fraction\": -0.2", "epidermis.water_fraction must be between 0 and 1");
-    row("dermal water", "\"water_fraction\": 0.6", "\"water_fraction\": 1.6", "dermis.water_fraction must be between 0 and 1");
-    row("index", "\"refractive_index\": 1.4", "\"refractive_index\": 0.9", "refractive_index must be between 1 and 2");
-    row("ratio", "\"scattering_ratio\": 0.5", "\"scattering_ratio\": 0", "dermis.scattering_ratio must be positive");
-    row("thin", "\"thickness_mm\": 0.32", "\"thickness_mm\": 0.1", "epidermis.thickness_mm must be at least");
-    row("no thickness", "\"thickness_mm\": 0.32", "\"thickness_mm\": 0", "epidermis.thickness_mm must be between 0 and 10");
-    row("scattering", "\"coefficient\": 14.74", "\"coefficient\": -1e6", "epidermis.reduced_scattering must be positive");
-    row("absorption", "\"constant\": 0.0244", "\"constant\": -5", "absorption must be positive over the whole parameter range");
-    row("decay", "\"decay_nm\": 66.2", "\"decay_nm\": 0", "absorption.baseline.decay_nm must be positive");
-    row("negative decay", "\"decay_nm\": 66.2", "\"decay_nm\": -66.2", "absorption.baseline.decay_nm must be positive");
-    row("infinite absorption", "\"coefficient\": 6.6e10", "\"coefficient\": 1e308", "absorption must be below a million per mm over the whole parameter range, and is not at 300 nm");
-    row("optics", "\"diffusion\"", "\"magic\"", "layer_optics must be \"diffusion\" or \"adding-doubling\"");
-    row("reference", "\"exponent\": -4.75", "\"exponent\": -4.75, \"at_nm\": 0", "absorption.pheomelanin.at_nm must be positive");
-    row("scattering's reference", "\"exponent\": -0.22", "\"exponent\": -0.22, \"at_nm\": -550", "epidermis.mie_scattering.at_nm must be positive");
-    row("text for a number", "\"oxygenation\": 0.75", "\"oxygenation\": \"0.75\"", "absorption.oxygenation must be a finite number");
-    row("prior scale", "\"scale\": \"log\"", "\"scale\": \"cubic\"", "prior.scale must be \"linear\" or \"log\"");
+    row("spacing", "\"cubic\"", "\"quartic\"",
+        "parameters.melanin.spacing must be \"uniform\", \"quadratic\" or \"cubic\"");
+    row("extra parameter", "\"parameters\": {", "\"parameters\": {\"bilirubin\": {}, ",
+        "unknown field 'parameters.bilirubin'");
+    row("oxygenation", "\"oxygenation\": 0.75", "\"oxygenation\": 1.01",
+        "absorption.oxygenation must be between 0 and 1");
+    row("water", "\"water_fraction\": 0.2", "\"water_fraction\": -0.2",
+        "epidermis.water_fraction must be between 0 and 1");
+    row("dermal water", "\"water_fraction\": 0.6", "\"water_fraction\": 1.6",
+        "dermis.water_fraction must be between 0 and 1");
+    row("index", "\"refractive_index\": 1.4", "\"refractive_index\": 0.9",
+        "refractive_index must be between 1 and 2");
+    row("ratio", "\"scattering_ratio\": 0.5", "\"scattering_ratio\": 0",
+        "dermis.scattering_ratio must be positive");
+    row("thin", "\"thickness_mm\": 0.32", "\"thickness_mm\": 0.1",
+        "epidermis.thickness_mm must be at least");
+    row("no thickness", "\"thickness_mm\": 0.32", "\"thickness_mm\": 0",
+        "epidermis.thickness_mm must be between 0 and 10");
+    row("scattering", "\"coefficient\": 14.74", "\"coefficient\": -1e6",
+        "epidermis.reduced_scattering must be positive");
+    row("absorption", "\"constant\": 0.0244", "\"constant\": -5",
+        "absorption must be positive over the whole parameter range");
+    row("decay", "\"decay_nm\": 66.2", "\"decay_nm\": 0",
+        "absorption.baseline.decay_nm must be positive");
+    row("negative decay", "\"decay_nm\": 66.2", "\"decay_nm\": -66.2",
+        "absorption.baseline.decay_nm must be positive");
+    row("infinite absorption", "\"coefficient\": 6.6e10", "\"coefficient\": 1e308",
+        "absorption must be below a million per mm over the whole parameter range, and is not at "
+        "300 nm");
+    row("optics", "\"diffusion\"", "\"magic\"",
+        "layer_optics must be \"diffusion\" or \"adding-doubling\"");
+    row("reference", "\"exponent\": -4.75", "\"exponent\": -4.75, \"at_nm\": 0",
+        "absorption.pheomelanin.at_nm must be positive");
+    row("scattering's reference", "\"exponent\": -0.22", "\"exponent\": -0.22, \"at_nm\": -550",
+        "epidermis.mie_scattering.at_nm must be positive");
+    row("text for a number", "\"oxygenation\": 0.75", "\"oxygenation\": \"0.75\"",
+        "absorption.oxygenation must be a finite number");
+    row("prior scale", "\"scale\": \"log\"", "\"scale\": \"cubic\"",
+        "prior.scale must be \"linear\" or \"log\"");
     row("no prior", "\"prior\"", "\"description2\"", "unknown field 'description2'");
-    row("prior without a mean", "\"mean\": {\"melanin\": 0.05, ", "\"mean\": {", "prior.mean.melanin must be a number (it is missing)");
-    row("prior at zero", "\"melanin\": 0.05", "\"melanin\": 0", "prior.mean.melanin must be positive on the log scale");
-    row("prior without spread", "\"carotene\": 0.9}", "\"carotene\": 0}", "prior.sd.carotene must be positive");
+    row("prior without a mean", "\"mean\": {\"melanin\": 0.05, ", "\"mean\": {",
+        "prior.mean.melanin must be a number (it is missing)");
+    row("prior at zero", "\"melanin\": 0.05", "\"melanin\": 0",
+        "prior.mean.melanin must be positive on the log scale");
+    row("prior without spread", "\"carotene\": 0.9}", "\"carotene\": 0}",
+        "prior.sd.carotene must be positive");
   }
   void errorsNameFileAndField() { refusesTheChangeOf(paper()); }
 
@@ -242,46 +277,76 @@ class ProfileFileTest : public QObject {
     };
     row("\"at_nm\": 500", "\"at\": 500", "unknown field 'absorption.eumelanin.at'");
     row("\"at_nm\": 500", "\"at_nm\": -500", "absorption.eumelanin.at_nm must be positive");
-    row("\"blood_smoothing_nm\": 4.25", "\"blood_smoothing_nm\": -1", "absorption.blood_smoothing_nm must be between 0 and 100");
-    row("\"blood_smoothing_nm\": 4.25", "\"oxygenation\": 0.7", "absorption.oxygenation must be left out where both layers have their own");
+    row("\"blood_smoothing_nm\": 4.25", "\"blood_smoothing_nm\": -1",
+        "absorption.blood_smoothing_nm must be between 0 and 100");
+    row("\"blood_smoothing_nm\": 4.25", "\"oxygenation\": 0.7",
+        "absorption.oxygenation must be left out where both layers have their own");
     row("\"scale\": 3", "\"scale\": -3", "absorption.carotene.scale must be between 0 and 100");
     row("\"scale\": 3", "\"factor\": 3", "unknown field 'absorption.carotene.factor'");
-    row("\"shift_nm\": 24", "\"shift_nm\": 124", "absorption.carotene.shift_nm must be between -100 and 100");
-    row("\"smoothing_nm\": 8", "\"smoothing_nm\": -8", "absorption.carotene.smoothing_nm must be between 0 and 100");
+    row("\"shift_nm\": 24", "\"shift_nm\": 124",
+        "absorption.carotene.shift_nm must be between -100 and 100");
+    row("\"smoothing_nm\": 8", "\"smoothing_nm\": -8",
+        "absorption.carotene.smoothing_nm must be between 0 and 100");
     row("\"peak\": 0.012, ", "", "absorption.fat.peak must be a number (it is missing)");
-    row("\"peak\": 0.012", "\"peak\": -0.012", "absorption.fat.peak must be finite and not negative");
-    row("\"deviation_nm\": 22", "\"deviation_nm\": 0", "absorption.fat.deviation_nm must be positive");
-    row("\"deviation_nm\": 22", "\"deviation_nm\": 22, \"skew\": 1", "unknown field 'absorption.fat.skew'");
+    row("\"peak\": 0.012", "\"peak\": -0.012",
+        "absorption.fat.peak must be finite and not negative");
+    row("\"deviation_nm\": 22", "\"deviation_nm\": 0",
+        "absorption.fat.deviation_nm must be positive");
+    row("\"deviation_nm\": 22", "\"deviation_nm\": 22, \"skew\": 1",
+        "unknown field 'absorption.fat.skew'");
     row("\"fat\": {", "\"water_band\": {", "unknown field 'absorption.water_band'");
-    row("\"fat_fraction\": 0.78", "\"fat_fraction\": 1.78", "dermis.fat_fraction must be between 0 and 1");
-    row("\"fat_fraction\": 0.78", "\"blood_fraction\": 0.78", "unknown field 'dermis.blood_fraction'");
-    row("\"oxygenation\": 0.7,", "\"oxygenation\": 1.7,", "epidermis.blood.oxygenation must be between 0 and 1");
+    row("\"fat_fraction\": 0.78", "\"fat_fraction\": 1.78",
+        "dermis.fat_fraction must be between 0 and 1");
+    row("\"fat_fraction\": 0.78", "\"blood_fraction\": 0.78",
+        "unknown field 'dermis.blood_fraction'");
+    row("\"oxygenation\": 0.7,", "\"oxygenation\": 1.7,",
+        "epidermis.blood.oxygenation must be between 0 and 1");
     row("\"oxygenation\": 0.7,", "", "absorption.oxygenation must be a number (it is missing)");
-    row("\"oxygenation\": 0.6,", "\"oxygenation\": -0.6,", "dermis.blood.oxygenation must be between 0 and 1");
-    row("\"vessel_radius_mm\": 0.004", "\"vessel_radius_mm\": 4", "epidermis.blood.vessel_radius_mm must be between 0 and 1");
-    row("\"vessel_radius_mm\": 0.016", "\"vessel_radius_mm\": -0.016", "dermis.blood.vessel_radius_mm must be between 0 and 1");
-    row("\"vessel_radius_mm\": 0.016", "\"vessels\": 0.016", "unknown field 'dermis.blood.vessels'");
-    row("\"blood\": {\"oxygenation\": 0.6, \"vessel_radius_mm\": 0.016}", "\"blood\": 0.6", "dermis.blood must be an object");
+    row("\"oxygenation\": 0.6,", "\"oxygenation\": -0.6,",
+        "dermis.blood.oxygenation must be between 0 and 1");
+    row("\"vessel_radius_mm\": 0.004", "\"vessel_radius_mm\": 4",
+        "epidermis.blood.vessel_radius_mm must be between 0 and 1");
+    row("\"vessel_radius_mm\": 0.016", "\"vessel_radius_mm\": -0.016",
+        "dermis.blood.vessel_radius_mm must be between 0 and 1");
+    row("\"vessel_radius_mm\": 0.016", "\"vessels\": 0.016",
+        "unknown field 'dermis.blood.vessels'");
+    row("\"blood\": {\"oxygenation\": 0.6, \"vessel_radius_mm\": 0.016}", "\"blood\": 0.6",
+        "dermis.blood must be an object");
     row("\"decay_nm\": 28", "\"decay_nm\": 0", "epidermis.ultraviolet.decay_nm must be positive");
-    row("\"amplitude\": 1.66", "\"amplitude\": -166", "absorption must be positive over the whole parameter range, and is not at 300 nm");
-    row("\"amplitude\": 1.66", "\"amplitude\": \"1.66\"", "epidermis.ultraviolet.amplitude must be a finite number");
-    row("\"baseline_factor\": 0.48", "\"baseline_factor\": -0.48", "dermis.baseline_factor must be between 0 and 10");
-    row("\"baseline_factor\": 0.48", "\"scattering_ratio\": 0.5", "dermis.scattering_ratio must be left out where the dermis has scattering laws");
-    row("\"coefficient\": 2.585", "\"coefficient\": -258.5", "dermis.reduced_scattering must be positive from 300 to 1000 nm");
-    row("\"coefficient\": 2.115", "\"factor\": 2.115", "unknown field 'dermis.rayleigh_scattering.factor'");
-    row("\"exponent\": -0.71, \"at_nm\": 550", "\"exponent\": -0.71, \"at_nm\": 0", "dermis.mie_scattering.at_nm must be positive");
-    row("\"refractive_index\": \"The", "\"refraction\": \"The", "sources.refraction must be the source of a field of the profile");
-    row("\"dermis.fat_fraction\": \"", "\"dermis.fat.fraction\": \"", "sources.dermis.fat.fraction must be the source of a field");
+    row("\"amplitude\": 1.66", "\"amplitude\": -166",
+        "absorption must be positive over the whole parameter range, and is not at 300 nm");
+    row("\"amplitude\": 1.66", "\"amplitude\": \"1.66\"",
+        "epidermis.ultraviolet.amplitude must be a finite number");
+    row("\"baseline_factor\": 0.48", "\"baseline_factor\": -0.48",
+        "dermis.baseline_factor must be between 0 and 10");
+    row("\"baseline_factor\": 0.48", "\"scattering_ratio\": 0.5",
+        "dermis.scattering_ratio must be left out where the dermis has scattering laws");
+    row("\"coefficient\": 2.585", "\"coefficient\": -258.5",
+        "dermis.reduced_scattering must be positive from 300 to 1000 nm");
+    row("\"coefficient\": 2.115", "\"factor\": 2.115",
+        "unknown field 'dermis.rayleigh_scattering.factor'");
+    row("\"exponent\": -0.71, \"at_nm\": 550", "\"exponent\": -0.71, \"at_nm\": 0",
+        "dermis.mie_scattering.at_nm must be positive");
+    row("\"refractive_index\": \"The", "\"refraction\": \"The",
+        "sources.refraction must be the source of a field of the profile");
+    row("\"dermis.fat_fraction\": \"", "\"dermis.fat.fraction\": \"",
+        "sources.dermis.fat.fraction must be the source of a field");
     row("\"sources\": {", "\"sources\": {\"name\": 3, ", "sources.name must be a text");
-    row("\"sources\": {", "\"sources\": {\"name\": \"\", ", "sources.name must be a text that is not empty");
-    row("\"linear\": [\"carotene\"]", "\"linear\": [\"bilirubin\"]", "prior.linear[0] must be the name of a parameter");
+    row("\"sources\": {", "\"sources\": {\"name\": \"\", ",
+        "sources.name must be a text that is not empty");
+    row("\"linear\": [\"carotene\"]", "\"linear\": [\"bilirubin\"]",
+        "prior.linear[0] must be the name of a parameter");
     row("\"linear\": [\"carotene\"]", "\"linear\": \"carotene\"", "prior.linear must be a list");
     row("\"linear\": [\"carotene\"]", "\"linear\": [5]", "prior.linear[0] must be a text");
-    row("\"melanin,melanin_blend\": -0.468", "\"melanin,melanin_blend\": -1", "prior.correlation.melanin,melanin_blend must be between -1 and 1");
-    row("\"melanin,melanin_blend\": -0.468", "\"melanin;melanin_blend\": -0.468", "prior.correlation.melanin;melanin_blend must be named by two parameters");
-    row("\"melanin,melanin_blend\": -0.468", "\"melanin,melanin\": -0.468", "must be named by two parameters");
+    row("\"melanin,melanin_blend\": -0.468", "\"melanin,melanin_blend\": -1",
+        "prior.correlation.melanin,melanin_blend must be between -1 and 1");
+    row("\"melanin,melanin_blend\": -0.468", "\"melanin;melanin_blend\": -0.468",
+        "prior.correlation.melanin;melanin_blend must be named by two parameters");
+    row("\"melanin,melanin_blend\": -0.468", "\"melanin,melanin\": -0.468",
+        "must be named by two parameters");
     row("\"melanin,melanin_blend\": -0.468", "\"carotene,melanin\": -0.468", "must be given once");
-    row("\"melanin,carotene\": -0.435", "\"melanin,carotene\": -0.99", "prior.correlation must be positive definite");
+    row("\"melanin,carotene\": -0.435", "\"melanin,carotene\": -0.99",
+        "prior.correlation must be positive definite");
   }
   void errorsOfOptionalFieldsToo() { refusesTheChangeOf(measured()); }
 
@@ -294,7 +359,8 @@ class ProfileFileTest : public QObject {
       return parseProfile(QString(text).replace(samples, field).toStdString(), "p.json");
     };
     EXPECT_OK(withSamples(25));  // 25⁵ = 9.8 million
-    EXPECT_ERROR(withSamples(26), "the product of all parameters.*.samples must be at most 10 million");
+    EXPECT_ERROR(withSamples(26),
+                 "the product of all parameters.*.samples must be at most 10 million");
     EXPECT_ERROR(withSamples(256), "the product of all parameters.*.samples");
   }
 
@@ -343,7 +409,8 @@ class ProfileFileTest : public QObject {
     QFETCH(QString, from);
     QFETCH(QString, to);
     QFETCH(QString, message);
-    const auto profile = parseProfile(changed(text, from.toStdString(), to.toStdString()), "p.json");
+    const auto profile =
+        parseProfile(changed(text, from.toStdString(), to.toStdString()), "p.json");
     QVERIFY(profile.failed());
     QVERIFY2(profile.error().text().find(message.toStdString()) != std::string::npos,
              profile.error().text().c_str());

@@ -1,11 +1,13 @@
-#include <QtTest>
+#include "src/files/resources.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
-#include "src/files/platform.h"
-#include "src/files/resources.h"
+#include <QtTest>
+
+#include "src/files/io/platform.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -47,9 +49,8 @@ class ResourcesTest : public QObject {
     const fs::path root = fs::path(CUTIS_SOURCE_DIR) / "resources";
     for (const char* folder : {"spectra/illuminants", "spectra/cameras", "spectra/observers",
                                "spectra/displays", "spectra", "rigs", "profiles"}) {
-      const std::string suffix = folder == std::string("rigs") || folder == std::string("profiles")
-                                     ? ".json"
-                                     : ".csv";
+      const std::string suffix =
+          folder == std::string("rigs") || folder == std::string("profiles") ? ".json" : ".csv";
       std::vector<std::string> expected;
       for (const auto& entry : fs::directory_iterator(root / folder)) {
         if (entry.path().extension() == suffix) {

@@ -1,8 +1,10 @@
-#include <QtTest>
+#include "src/files/rig_file.h"
+
 #include <algorithm>
 #include <filesystem>
 
-#include "src/files/rig_file.h"
+#include <QtTest>
+
 #include "src/files/spectral_library.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -45,7 +47,8 @@ class RigFileTest : public QObject {
     const std::vector<std::string> names = rigNames();
     QVERIFY(std::find(names.begin(), names.end(), "monitor") != names.end());
     QVERIFY(std::find(names.begin(), names.end(), "albedo") != names.end());
-    for (const std::string& name : names) EXPECT_OK(loadRig(name, {}, "--rig"));
+    for (const std::string& name : names)
+      EXPECT_OK(loadRig(name, {}, "--rig"));
     // Wherever the caller stands.
     EXPECT_OK(loadRig("monitor", "/nowhere", "--rig"));
   }
@@ -129,11 +132,13 @@ class RigFileTest : public QObject {
     row("of another kind", "\"cutis_rig\": 1", "\"cutis_maps\": 1", "\"cutis_rig\": 1 is missing");
     row("no name", "\"name\": \"studio\",", "", "name must be a text (it is missing)");
     row("unknown field", "\"camera\"", "\"kamera\"", "unknown field 'kamera'");
-    row("no camera", "\"camera\": {\"sensitivity\": \"camera.csv\"},", "", "camera must be an object");
+    row("no camera", "\"camera\": {\"sensitivity\": \"camera.csv\"},", "",
+        "camera must be an object");
     row("misspelt sensitivity", "sensitivity", "sensitivty", "unknown field 'camera.sensitivty'");
     row("unknown camera", "\"camera.csv\"", "\"Canon\"", "unknown camera or observer 'Canon'");
     row("lost camera", "\"camera.csv\"", "\"lost.csv\"", "lost.csv: there is no such file");
-    row("lost primaries", "screens/display.csv", "display.csv", "display.csv: there is no such file");
+    row("lost primaries", "screens/display.csv", "display.csv",
+        "display.csv: there is no such file");
     row("lights not a list", "\"lights\": [", "\"lights\": 5, \"old\": [", "unknown field 'old'");
     row("a light that is text", "{\"name\": \"sky\", \"spectrum\": \"D65\"}", "\"D65\"",
         "lights[3] must be an object");
@@ -146,7 +151,8 @@ class RigFileTest : public QObject {
     row("negative share", "\"B\": 1}}", "\"B\": -1}}", "lights[0].mix.B must be zero or positive");
     row("share is text", "\"B\": 1}}", "\"B\": \"1\"}}", "lights[0].mix.B must be a finite number");
     row("unknown primary", "\"B\": 1}}", "\"W\": 1}}", "unknown field 'lights[0].mix.W'");
-    row("dark mix", "{\"R\": 1, \"G\": 1, \"B\": 1}", "{}", "light 'white' has negative, missing or no");
+    row("dark mix", "{\"R\": 1, \"G\": 1, \"B\": 1}", "{}",
+        "light 'white' has negative, missing or no");
     row("mix without primaries", "\"primaries\": {\"file\": \"screens/display.csv\"},", "",
         "lights[0].mix must be left out unless the rig names primaries");
     row("the same name twice", "\"white+blue\"", "\"white\"", "two lights are called 'white'");
@@ -161,8 +167,8 @@ class RigFileTest : public QObject {
     QFETCH(QString, message);
     const test::ScratchFolder folder;
     writeStudio(folder);
-    const auto path = folder.write(
-        "studio/rig.json", changed(kStudio, from.toStdString(), to.toStdString()));
+    const auto path =
+        folder.write("studio/rig.json", changed(kStudio, from.toStdString(), to.toStdString()));
     const auto rig = loadRig(path.string(), {}, "--rig");
     QVERIFY(rig.failed());
     QVERIFY2(rig.error().text().find(message.toStdString()) != std::string::npos,

@@ -1,6 +1,7 @@
+#include "src/files/spectral_csv.h"
+
 #include <QtTest>
 
-#include "src/files/spectral_csv.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"

@@ -1,8 +1,10 @@
-#include <QtTest>
+#include "src/files/spectral_library.h"
+
 #include <algorithm>
 
-#include "src/files/spectral_library.h"
-#include "src/files/suggestion.h"
+#include <QtTest>
+
+#include "src/files/io/suggestion.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
@@ -20,14 +22,16 @@ class SpectralLibraryTest : public QObject {
  private slots:
   // INTERFACES.md: stems of the library without `cie_`.
   void namesAreTheDocumentedOnes() {
-    for (const char* name : {"D65", "A", "FL2", "LED_B3", "E"}) QVERIFY2(has(lightNames(), name), name);
+    for (const char* name : {"D65", "A", "FL2", "LED_B3", "E"})
+      QVERIFY2(has(lightNames(), name), name);
     QVERIFY(has(observerNames(), "cie1931") && has(observerNames(), "cie1964"));
     QVERIFY(has(cameraNames(), "Canon_EOS_R"));
     QVERIFY(has(displayNames(), "iset_LCD_Gechic"));
     for (const auto& names : {lightNames(), cameraNames(), observerNames(), displayNames()}) {
       QVERIFY(std::is_sorted(names.begin(), names.end()));
       QVERIFY(std::adjacent_find(names.begin(), names.end()) == names.end());
-      for (const std::string& name : names) QVERIFY(!name.starts_with("cie_"));
+      for (const std::string& name : names)
+        QVERIFY(!name.starts_with("cie_"));
     }
   }
 
@@ -42,7 +46,8 @@ class SpectralLibraryTest : public QObject {
       EXPECT_OK(camera);
       QVERIFY(!camera.value().isObserver);
       QCOMPARE(camera.value().channelNames[2], std::string("B"));
-      for (int c = 0; c < 3; ++c) QVERIFY(camera.value().sensor.sensitivity.row(c).sum() > 0.0);
+      for (int c = 0; c < 3; ++c)
+        QVERIFY(camera.value().sensor.sensitivity.row(c).sum() > 0.0);
     }
     for (const std::string& name : observerNames()) {
       const auto observer = loadCamera({name, {}, "test"});
@@ -50,7 +55,8 @@ class SpectralLibraryTest : public QObject {
       QVERIFY(observer.value().isObserver);
       QCOMPARE(observer.value().channelNames[0], std::string("X"));
     }
-    for (const std::string& name : displayNames()) EXPECT_OK(loadPrimaries({name, {}, "test"}));
+    for (const std::string& name : displayNames())
+      EXPECT_OK(loadPrimaries({name, {}, "test"}));
     EXPECT_OK(loadChromophores({"chromophores", {}, "test"}));
   }
 
@@ -69,7 +75,8 @@ class SpectralLibraryTest : public QObject {
   }
 
   void unknownNamesSuggest() {
-    EXPECT_ERROR(loadLight({"D56", {}, "--light"}), "--light: unknown light 'D56'; did you mean 'D");
+    EXPECT_ERROR(loadLight({"D56", {}, "--light"}),
+                 "--light: unknown light 'D56'; did you mean 'D");
     EXPECT_ERROR(loadLight({"d65", {}, "--light"}), "did you mean 'D65'?");
     EXPECT_ERROR(loadLight({"zzzzzzzzz", {}, "--light"}), "known: A, ");
     EXPECT_ERROR(loadLight({"zzzzzzzzz", {}, "--light"}), "or name a CSV file");

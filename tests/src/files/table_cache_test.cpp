@@ -1,7 +1,9 @@
-#include <QtTest>
+#include "src/files/profiles/table_cache.h"
+
 #include <fstream>
 
-#include "src/files/table_cache.h"
+#include <QtTest>
+
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"
@@ -16,7 +18,8 @@ namespace fs = std::filesystem;
 SkinModel modelOf(int melaninSamples) {
   Profile profile = test::li2024().profile();
   const int samples[] = {melaninSamples, 3, 5, 2, 2};
-  for (std::size_t k = 0; k < profile.axes.size(); ++k) profile.axes[k].samples = samples[k];
+  for (std::size_t k = 0; k < profile.axes.size(); ++k)
+    profile.axes[k].samples = samples[k];
   return SkinModel(profile);
 }
 
@@ -100,19 +103,44 @@ class TableCacheTest : public QObject {
     const std::size_t version = bytes.find('1');
     const std::size_t header = bytes.find('\n') + 1 + 64;
     switch (damage) {
-      case 0: flip(0); break;
-      case 1: bytes[version] = '2'; break;
-      case 2: flip(header - 50); break;
-      case 3: flip(header - 1); break;
-      case 4: flip(header); break;
-      case 5: flip(bytes.size() / 2); break;
-      case 6: flip(bytes.size() - 1); break;
-      case 7: bytes.pop_back(); break;
-      case 8: bytes.resize(bytes.size() / 2); break;
-      case 9: bytes.resize(header); break;
-      case 10: bytes.clear(); break;
-      case 11: bytes += '\0'; break;
-      default: bytes = "not a table\n";
+      case 0:
+        flip(0);
+        break;
+      case 1:
+        bytes[version] = '2';
+        break;
+      case 2:
+        flip(header - 50);
+        break;
+      case 3:
+        flip(header - 1);
+        break;
+      case 4:
+        flip(header);
+        break;
+      case 5:
+        flip(bytes.size() / 2);
+        break;
+      case 6:
+        flip(bytes.size() - 1);
+        break;
+      case 7:
+        bytes.pop_back();
+        break;
+      case 8:
+        bytes.resize(bytes.size() / 2);
+        break;
+      case 9:
+        bytes.resize(header);
+        break;
+      case 10:
+        bytes.clear();
+        break;
+      case 11:
+        bytes += '\0';
+        break;
+      default:
+        bytes = "not a table\n";
     }
     folder_->write(name_, bytes);
     const Outcome again = cached();

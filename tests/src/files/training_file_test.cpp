@@ -1,7 +1,7 @@
 // States of interrupted trainings: written and read they are the same; what is not one is refused
 // with a sentence.
 
-#include "src/files/training_file.h"
+#include "src/files/networks/training_file.h"
 
 #include <limits>
 
@@ -77,7 +77,8 @@ class TrainingFileTest : public QObject {
     add("best epoch", changed("\"best_epoch\":1", "\"best_epoch\":0"), "best_epoch must be");
     add("best error", changed("\"best_error\":2e-09", "\"best_error\":null"), "best_error must be");
     add("short epoch", changed("\"curve\":[[0.1,", "\"curve\":[["), "curve[0] must be a list of 3");
-    add("no epochs", changed("\"curve\":[[", "\"curve\":[],\"x\":[["), "unknown field 'spectra_nn.x'");
+    add("no epochs", changed("\"curve\":[[", "\"curve\":[],\"x\":[["),
+        "unknown field 'spectra_nn.x'");
     add("huge layer", changed("\"outputs\":3", "\"outputs\":2000000000"), "from 1 to 512");
     add("layers", changed("\"inputs\":3,\"outputs\":1", "\"inputs\":1,\"outputs\":3"), "network");
     add("moment", changed("\"first_moment\":[", "\"first_moment\":[1e300,"), "first_moment");

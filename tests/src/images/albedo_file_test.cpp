@@ -1,10 +1,12 @@
-#include <QtTest>
+#include "src/images/capture/albedo_file.h"
+
 #include <cmath>
 #include <limits>
 
+#include <QtTest>
+
 #include "core/spectra/colorimetry.h"
 #include "src/color/color_space.h"
-#include "src/images/albedo_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
@@ -97,7 +99,8 @@ class AlbedoFileTest : public QObject {
     expectColor(linear, {skin[0], skin[1], skin[2]}, 1e-6);
     ImageContent tagged = flat(skin);
     tagged.colorSpace = "Linear Rec.709";
-    expectColor(written("tagged.png", tagged, SampleType::uint8), {skin[0], skin[1], skin[2]}, 1e-6);
+    expectColor(written("tagged.png", tagged, SampleType::uint8), {skin[0], skin[1], skin[2]},
+                1e-6);
   }
 
   void floatsAreLinearUnlessTheFileOrTheUserSaysOtherwise() {
@@ -130,7 +133,7 @@ class AlbedoFileTest : public QObject {
   void statesFollowThePixels() {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     // solved, NaN, black, blue so pure that X or Y is negative, alpha 0, alpha small
-    const std::vector<Rgb> pixels = {{0.5f, 0.4f, 0.3f},  {nan, 0.4f, 0.3f}, {0, 0, 0},
+    const std::vector<Rgb> pixels = {{0.5f, 0.4f, 0.3f},   {nan, 0.4f, 0.3f},  {0, 0, 0},
                                      {-0.9f, -0.2f, 0.8f}, {0.5f, 0.4f, 0.3f}, {0.5f, 0.4f, 0.3f}};
     const std::vector<float> alphas = {1.0f, 1.0f, 1.0f, 1.0f, 0.0f, 0.01f};
     ImageContent content;
@@ -144,8 +147,7 @@ class AlbedoFileTest : public QObject {
     EXPECT_OK(writeImage(folder_.path("states.exr"), content, SampleType::float32, {}));
     const auto albedo = read(folder_.path("states.exr"));
     EXPECT_OK(albedo);
-    QVERIFY(valuesOf(albedo.value().measurements.state) ==
-            (std::vector<float>{0, 2, 2, 2, 1, 0}));
+    QVERIFY(valuesOf(albedo.value().measurements.state) == (std::vector<float>{0, 2, 2, 2, 1, 0}));
     // All channels of the source are kept for what is written later.
     QCOMPARE(albedo.value().source.channels.size(), std::size_t{4});
     QVERIFY(albedo.value().source.sourceType == SampleType::float32);
@@ -175,13 +177,15 @@ class AlbedoFileTest : public QObject {
     EXPECT_OK(albedo);
     QCOMPARE(pixelOf(albedo.value().measurements.state, 1, 0), 1.0f);
     QCOMPARE(pixelOf(albedo.value().measurements.state, 2, 0), 0.0f);
-    EXPECT_OK(writeImage(folder_.path("small.png"), makeContent(2, 2, {"Y"}), SampleType::uint8, {}));
+    EXPECT_OK(
+        writeImage(folder_.path("small.png"), makeContent(2, 2, {"Y"}), SampleType::uint8, {}));
     EXPECT_ERROR(read(folder_.path("face.exr"), {.mask = folder_.path("small.png")}),
                  "the mask is 2 × 2 pixels but");
   }
 
   void whatIsNoAlbedoIsTold() {
-    EXPECT_OK(writeImage(folder_.path("grey.png"), makeContent(4, 4, {"Y"}), SampleType::uint8, {}));
+    EXPECT_OK(
+        writeImage(folder_.path("grey.png"), makeContent(4, 4, {"Y"}), SampleType::uint8, {}));
     EXPECT_ERROR(read(folder_.path("grey.png")), "the image is grey");
     EXPECT_OK(writeImage(folder_.path("five.exr"), makeContent(4, 4, {"a", "b", "c"}),
                          SampleType::half, {}));
@@ -206,13 +210,12 @@ class AlbedoFileTest : public QObject {
 
   void colorConversionsThatFailAreToldNotSwallowed() {
     EXPECT_OK(writeImage(folder_.path("face.exr"), flat({0.5f, 0.4f, 0.3f}), SampleType::half, {}));
-    const RgbConversionLookup failing = [](const std::string&, const std::string&)
-        -> Result<RgbConversion> {
+    const RgbConversionLookup failing = [](const std::string&,
+                                           const std::string&) -> Result<RgbConversion> {
       return RgbConversion([](std::span<float>) -> Status { return inputError("x", "broken"); });
     };
-    EXPECT_ERROR(
-        readAlbedo(folder_.path("face.exr"), {}, failing, test::albedoRig(), nullptr, {}),
-        "broken");
+    EXPECT_ERROR(readAlbedo(folder_.path("face.exr"), {}, failing, test::albedoRig(), nullptr, {}),
+                 "broken");
   }
 
   void stopsWhenAsked() {

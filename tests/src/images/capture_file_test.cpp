@@ -1,8 +1,10 @@
-#include <QtTest>
+#include "src/images/capture/capture_file.h"
+
 #include <cmath>
 #include <limits>
 
-#include "src/images/capture_file.h"
+#include <QtTest>
+
 #include "src/images/image_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
@@ -92,8 +94,8 @@ class CaptureFileTest : public QObject {
       QCOMPARE(m.width(), 20);
       QCOMPARE(m.channels.size(), std::size_t{9});
       QCOMPARE(m.rig.channelName(3), std::string("white+blue.R"));
-      const std::array<float, 9> expected = {0.5f, 0.375f,  0.25f,   0.5f, 0.1875f,
-                                             0.0625f, 0.4f, 0.3f, 0.2f};
+      const std::array<float, 9> expected = {0.5f,    0.375f, 0.25f, 0.5f, 0.1875f,
+                                             0.0625f, 0.4f,   0.3f,  0.2f};
       for (std::size_t c = 0; c < 9; ++c) {
         EXPECT_NEAR(pixelOf(m.channels[c], 7, 3), expected[c], 2e-4);
       }
@@ -141,14 +143,12 @@ class CaptureFileTest : public QObject {
     const auto capture = read(folder_->root());
     EXPECT_OK(capture);
     // solved, NaN, negative, black, bright but not clipped (a float has no end), masked
-    QVERIFY(valuesOf(capture.value().measurements.state) ==
-            (std::vector<float>{0, 2, 2, 2, 0, 1}));
+    QVERIFY(valuesOf(capture.value().measurements.state) == (std::vector<float>{0, 2, 2, 2, 0, 1}));
   }
 
   void theEndOfAnIntegerRangeIsSaturated() {
-    for (const auto& [file, type, top] :
-         {std::tuple{"white.png", SampleType::uint8, 255.0f},
-          std::tuple{"white.tif", SampleType::uint16, 65535.0f}}) {
+    for (const auto& [file, type, top] : {std::tuple{"white.png", SampleType::uint8, 255.0f},
+                                          std::tuple{"white.tif", SampleType::uint16, 65535.0f}}) {
       ImageContent content;
       content.channelNames = {"R", "G", "B"};
       for (int c = 0; c < 3; ++c) {
@@ -189,7 +189,8 @@ class CaptureFileTest : public QObject {
     EXPECT_ERROR(readWith("\"encoding\": \"linear\",", ""), "encoding must be a text");
     EXPECT_ERROR(readWith("\"encoding\"", "\"chart\": {}, \"encoding\""),
                  "charts are not in this version; use scale");
-    EXPECT_ERROR(readWith("\"encoding\"", "\"encodng\": 1, \"encoding\""), "unknown field 'encodng'");
+    EXPECT_ERROR(readWith("\"encoding\"", "\"encodng\": 1, \"encoding\""),
+                 "unknown field 'encodng'");
     EXPECT_ERROR(readWith("\"monitor\"", "\"monitr\""), "did you mean 'monitor'");
     EXPECT_ERROR(readWith("\"white+green\"", "\"white+gren\""),
                  "images[0].light must be a light of rig 'monitor', not 'white+gren'; did you mean "
@@ -233,9 +234,8 @@ class CaptureFileTest : public QObject {
     fs::copy_file(path("white.exr"), elsewhere.path("secret.exr"));
     const auto refused = [&](const std::string& name) {
       const auto result = readWith("\"white.exr\"", ("\"" + name + "\"").c_str());
-      return result.failed() &&
-             result.error().text().find("in or below the folder of the capture") !=
-                 std::string::npos;
+      return result.failed() && result.error().text().find(
+                                    "in or below the folder of the capture") != std::string::npos;
     };
     const std::string absolute = elsewhere.path("secret.exr").string();
     QVERIFY(refused(absolute));
@@ -291,7 +291,8 @@ class CaptureFileTest : public QObject {
     const auto capture = read(path("new"));
     EXPECT_OK(capture);
     const Measurements& m = capture.value().measurements;
-    for (std::size_t c = 0; c < 9; ++c) QVERIFY(valuesOf(m.channels[c]) == valuesOf(written.channels[c]));
+    for (std::size_t c = 0; c < 9; ++c)
+      QVERIFY(valuesOf(m.channels[c]) == valuesOf(written.channels[c]));
     QCOMPARE(pixelOf(m.state, 9, 5), 1.0f);
     QCOMPARE(pixelOf(m.state, 10, 5), 0.0f);
   }
@@ -362,7 +363,9 @@ class CaptureFileTest : public QObject {
     const Measurements written = simulated(600, 600);
     const auto before = folder_->names();
     CaptureWriteOptions options;
-    options.extra = [](const fs::path&) -> Status { return resourceError("x", "the disk is full"); };
+    options.extra = [](const fs::path&) -> Status {
+      return resourceError("x", "the disk is full");
+    };
     EXPECT_ERROR(writeCapture(path("failed"), written, options, {}), "the disk is full");
     QVERIFY(folder_->names() == before);
     test::Stopper stopper;

@@ -1,8 +1,9 @@
-#include <QtTest>
 #include <random>
 
+#include <QtTest>
+
 #include "src/images/image_file.h"
-#include "src/images/maps_file.h"
+#include "src/images/maps/maps_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -127,7 +128,8 @@ class DamagedFileTest : public QObject {
   void corruptionNeverCrashes() {
     std::mt19937 random(20240601);
     const auto below = [&](qsizetype n) {
-      return static_cast<qsizetype>(random() % static_cast<std::uint32_t>(std::max<qsizetype>(n, 1)));
+      return static_cast<qsizetype>(random() %
+                                    static_cast<std::uint32_t>(std::max<qsizetype>(n, 1)));
     };
     int survived = 0, refused = 0;
     for (const std::string& file : files_) {
@@ -138,7 +140,8 @@ class DamagedFileTest : public QObject {
         // Headers are short and decide most: half of the damage goes there.
         const qsizetype reach = i % 2 == 0 ? std::min<qsizetype>(whole.size(), 400) : whole.size();
         const qsizetype count = 1 + below(i % 5 == 4 ? 64 : 6);
-        for (qsizetype k = 0; k < count; ++k) bytes[below(reach)] = static_cast<char>(random());
+        for (qsizetype k = 0; k < count; ++k)
+          bytes[below(reach)] = static_cast<char>(random());
         if (i % 7 == 6) {
           const qsizetype at = below(whole.size());
           bytes.replace(at, std::min<qsizetype>(50, whole.size() - at), QByteArray(50, '\xff'));

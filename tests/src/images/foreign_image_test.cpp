@@ -1,7 +1,8 @@
 // Pictures as other programs write them, and files that are none.
 
-#include <QtTest>
 #include <cstring>
+
+#include <QtTest>
 
 #include "src/images/image_file.h"
 #include "tests/src/images/image_fixture.h"
@@ -41,7 +42,8 @@ class ForeignImageTest : public QObject {
       spec.tile_width = tileWidth;
       spec.tile_height = tileHeight;
       const std::vector<float> samples = test::noise(301 * 283 * 3);
-      for (const auto& [name, format] : {std::pair{"tiled.exr", "openexr"}, {"tiled.tif", "tiff"}}) {
+      for (const auto& [name, format] :
+           {std::pair{"tiled.exr", "openexr"}, {"tiled.tif", "tiff"}}) {
         test::writeForeign(folder_.path(name), format, spec, samples);
         const auto image = read(folder_.path(name));
         EXPECT_OK(image);
@@ -73,9 +75,9 @@ class ForeignImageTest : public QObject {
 
   void otherKindsAreRead() {
     const std::vector<float> samples(20 * 10 * 3, 0.2f);
-    for (const auto& [name, format, type] :
-         {std::tuple{"a.bmp", "bmp", OIIO::TypeUInt8}, std::tuple{"a.tga", "targa", OIIO::TypeUInt8},
-          std::tuple{"a.hdr", "hdr", OIIO::TypeFloat}}) {
+    for (const auto& [name, format, type] : {std::tuple{"a.bmp", "bmp", OIIO::TypeUInt8},
+                                             std::tuple{"a.tga", "targa", OIIO::TypeUInt8},
+                                             std::tuple{"a.hdr", "hdr", OIIO::TypeFloat}}) {
       test::writeForeign(folder_.path(name), format, OIIO::ImageSpec(20, 10, 3, type), samples);
       const auto image = read(folder_.path(name));
       EXPECT_OK(image);
@@ -124,7 +126,8 @@ class ForeignImageTest : public QObject {
     for (const char* window : {"dataWindow", "displayWindow"}) {
       const auto at = bytes.indexOf(QByteArray(window) + QByteArray("\0box2i\0", 7)) +
                       static_cast<qsizetype>(std::strlen(window)) + 7 + 4;
-      for (const int offset : {8, 12}) bytes.replace(at + offset, 4, QByteArray("\xff\xff\xff\x0f"));
+      for (const int offset : {8, 12})
+        bytes.replace(at + offset, 4, QByteArray("\xff\xff\xff\x0f"));
     }
     test::writeBytes(folder_.path("absurd.exr"), bytes);
     QVERIFY(read(folder_.path("absurd.exr")).failed());

@@ -1,8 +1,10 @@
-#include <QtTest>
+#include "src/images/image_file.h"
+
 #include <cmath>
 #include <limits>
 
-#include "src/images/image_file.h"
+#include <QtTest>
+
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -60,9 +62,9 @@ class ImageFileTest : public QObject {
     QFETCH(double, step);
     // Rounding to the nearest level, and to the nearest float on the way there and on the way back.
     const double tolerance = step > 0.0 ? 0.5 * step + 2 * 0x1p-25 : 0.0;
-    for (const auto& channels : {std::vector<std::string>{"R", "G", "B"},
-                                 std::vector<std::string>{"R", "G", "B", "A"},
-                                 std::vector<std::string>{"Y"}}) {
+    for (const auto& channels :
+         {std::vector<std::string>{"R", "G", "B"}, std::vector<std::string>{"R", "G", "B", "A"},
+          std::vector<std::string>{"Y"}}) {
       // More than a tile each way, and no multiple of anything.
       const ImageContent content = makeContent(301, 523, channels);
       const auto path = folder_.path(file.toStdString());
@@ -122,12 +124,13 @@ class ImageFileTest : public QObject {
   }
 
   void integersAreClampedAndRounded() {
-    const std::vector<float> given = {kNan,  kInfinity, -kInfinity, -0.3f, 1.7f,
-                                      0.0f,  1.0f,      0.5f / 255, 0.49f / 255, 254.6f / 255};
+    const std::vector<float> given = {kNan, kInfinity, -kInfinity, -0.3f,       1.7f,
+                                      0.0f, 1.0f,      0.5f / 255, 0.49f / 255, 254.6f / 255};
     const std::vector<int> expected = {0, 255, 0, 0, 255, 0, 255, 1, 0, 255};
     ImageContent content;
     content.channelNames = {"Y"};
-    content.channels = {makePlane(10, 1, [&](int x, int) { return given[static_cast<std::size_t>(x)]; })};
+    content.channels = {
+        makePlane(10, 1, [&](int x, int) { return given[static_cast<std::size_t>(x)]; })};
     for (const char* file : {"edge.png", "edge.tif"}) {
       EXPECT_OK(writeImage(folder_.path(file), content, SampleType::uint8, {}));
       const auto image = read(folder_.path(file));
@@ -146,9 +149,9 @@ class ImageFileTest : public QObject {
     const Plane plane =
         makePlane(7, 1, [&](int x, int) { return given[static_cast<std::size_t>(x)]; });
     content.channels = {plane, plane, plane};
-    for (const auto& [file, type] : {std::pair{"f.exr", SampleType::float32},
-                                     std::pair{"f.tif", SampleType::float32},
-                                     std::pair{"h.exr", SampleType::half}}) {
+    for (const auto& [file, type] :
+         {std::pair{"f.exr", SampleType::float32}, std::pair{"f.tif", SampleType::float32},
+          std::pair{"h.exr", SampleType::half}}) {
       EXPECT_OK(writeImage(folder_.path(file), content, type, {}));
       const auto image = read(folder_.path(file));
       EXPECT_OK(image);
@@ -169,9 +172,8 @@ class ImageFileTest : public QObject {
     ImageContent content;
     content.channelNames = {"R", "G", "B", "A"};
     for (const float level : {0.8f, 0.4f, 0.2f, 0.0f}) {
-      content.channels.push_back(makePlane(4, 4, [&](int x, int) {
-        return level == 0.0f ? static_cast<float>(x) / 3.0f : level;
-      }));
+      content.channels.push_back(makePlane(
+          4, 4, [&](int x, int) { return level == 0.0f ? static_cast<float>(x) / 3.0f : level; }));
     }
     for (const auto& [file, type] :
          {std::pair{"a.png", SampleType::uint8}, std::pair{"a.tif", SampleType::uint16},

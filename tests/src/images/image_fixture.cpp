@@ -1,10 +1,11 @@
 #include "tests/src/images/image_fixture.h"
 
-#include <QFile>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+
+#include <QFile>
 
 namespace cutis::test {
 
@@ -24,7 +25,9 @@ float random01(unsigned& state) {
 
 }  // namespace
 
-fs::path ImageFolder::path(const std::string& name) const { return root() / name; }
+fs::path ImageFolder::path(const std::string& name) const {
+  return root() / name;
+}
 
 std::vector<std::string> ImageFolder::names() const {
   std::vector<std::string> names;
@@ -52,7 +55,8 @@ Plane makePlane(int width, int height, const std::function<float(int x, int y)>&
   Plane plane(width, height, format);
   std::vector<float> values;
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) values.push_back(value(x, y));
+    for (int x = 0; x < width; ++x)
+      values.push_back(value(x, y));
   }
   if (!plane.store(plane.bounds(), values)) fail("cannot store");
   return plane;
@@ -97,7 +101,8 @@ void writeForeign(const fs::path& path, const std::string& format, const OIIO::I
 std::vector<float> noise(std::size_t count, unsigned seed) {
   std::vector<float> values(count);
   unsigned state = seed;
-  for (float& value : values) value = random01(state);
+  for (float& value : values)
+    value = random01(state);
   return values;
 }
 

@@ -2,14 +2,14 @@
 
 // Pictures, folders and foreign files for the tests of src/images.
 
-#include <QByteArray>
-#include <QTemporaryDir>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include <OpenImageIO/imageio.h>
+#include <QByteArray>
+#include <QTemporaryDir>
 
 #include "core/base/job_context.h"
 #include "core/base/plane.h"

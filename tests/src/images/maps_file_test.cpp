@@ -1,12 +1,14 @@
-#include <QtTest>
+#include "src/images/maps/maps_file.h"
+
 #include <cmath>
 #include <limits>
 
-#include "core/skin/parameter.h"
+#include <QtTest>
+
 #include "core/skin/pixel_state.h"
-#include "src/files/profile_file.h"
+#include "core/skin/profile/parameter.h"
+#include "src/files/profiles/profile_file.h"
 #include "src/images/image_file.h"
-#include "src/images/maps_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -48,8 +50,8 @@ MapsFile makeMaps(bool everything) {
   for (std::size_t k = 0; k < kParameterCount; ++k) {
     file.deviations.push_back(ramp(10.0f + static_cast<float>(k)));
   }
-  file.residualNames = {"white.R", "white.G", "white.B", "white+blue.R", "white+blue.G",
-                        "white+blue.B"};
+  file.residualNames = {"white.R",      "white.G",      "white.B",
+                        "white+blue.R", "white+blue.G", "white+blue.B"};
   for (std::size_t c = 0; c < file.residualNames.size(); ++c) {
     file.residuals.push_back(ramp(-static_cast<float>(c)));
   }
@@ -134,8 +136,8 @@ class MapsFileTest : public QObject {
     QVERIFY(valuesOf(file.shading) == valuesOf(written.shading));
     QCOMPARE(file.residualNames.size(), written.residualNames.size());
     for (std::size_t c = 0; c < written.residualNames.size(); ++c) {
-      const auto at = std::find(file.residualNames.begin(), file.residualNames.end(),
-                                written.residualNames[c]);
+      const auto at =
+          std::find(file.residualNames.begin(), file.residualNames.end(), written.residualNames[c]);
       QVERIFY(at != file.residualNames.end());
       QVERIFY(valuesOf(file.residuals[static_cast<std::size_t>(at - file.residualNames.begin())]) ==
               valuesOf(written.residuals[c]));
@@ -203,7 +205,8 @@ class MapsFileTest : public QObject {
     QVERIFY(listener.sentences[0].find("5 pixels") != std::string::npos);
     for (const int x : {5, 10, 15, 20, 25}) {
       QCOMPARE(pixelOf(file.value().maps.state, x, 5), 2.0f);
-      for (const Plane& plane : file.value().maps.planes()) QCOMPARE(pixelOf(plane, x, 5), 0.0f);
+      for (const Plane& plane : file.value().maps.planes())
+        QCOMPARE(pixelOf(plane, x, 5), 0.0f);
     }
     QCOMPARE(pixelOf(file.value().maps.state, 31, 5), 1.0f);
   }
@@ -238,7 +241,8 @@ class MapsFileTest : public QObject {
     const OIIO::ImageSpec first = input->spec(0, 0);
     QCOMPARE(first.get_int_attribute("cutis:version"), 1);
     QCOMPARE(std::string(first.get_string_attribute("cutis:profile")), std::string("li2024"));
-    for (const std::string& name : kFive) QVERIFY(first.channelindex(name) >= 0);
+    for (const std::string& name : kFive)
+      QVERIFY(first.channelindex(name) >= 0);
   }
 
   // The file's order is alphabetical; ours is that of the parameters.
@@ -271,7 +275,8 @@ class MapsFileTest : public QObject {
     QVERIFY(listener.sentences[0].find("5 pixels") != std::string::npos);
     for (const auto& [x, y] : {std::pair{3, 4}, {290, 260}, {7, 7}, {8, 7}, {9, 7}}) {
       QCOMPARE(pixelOf(file.value().maps.state, x, y), 2.0f);
-      for (const Plane& plane : file.value().maps.values) QCOMPARE(pixelOf(plane, x, y), 0.0f);
+      for (const Plane& plane : file.value().maps.values)
+        QCOMPARE(pixelOf(plane, x, y), 0.0f);
     }
     QCOMPARE(pixelOf(file.value().deviations[0], 5, 5), 0.0f);
     QCOMPARE(pixelOf(file.value().shading, 6, 5), 0.0f);
@@ -307,8 +312,8 @@ class MapsFileTest : public QObject {
     QVERIFY(!isMapsFile(folder_.path("photo.png")));
     QVERIFY(!isMapsFile(folder_.path("missing.exr")));
     EXPECT_ERROR(read(folder_.path("missing.exr")), "there is no such file");
-    writeForeignParts(folder_.path("unversioned.exr"),
-                      {{.name = "chromophores", .channels = kFive}, {.name = "state", .channels = {"state"}}});
+    writeForeignParts(folder_.path("unversioned.exr"), {{.name = "chromophores", .channels = kFive},
+                                                        {.name = "state", .channels = {"state"}}});
     EXPECT_ERROR(read(folder_.path("unversioned.exr")), "not a Cutis maps file");
   }
 
@@ -331,8 +336,9 @@ class MapsFileTest : public QObject {
 
   // OpenEXR writes no file whose parts differ in their display window; one that does is damaged.
   void partsOfDifferentSizesAreRefused() {
-    writeForeignParts(folder_.path("size.exr"), {{.name = "chromophores", .channels = kFive, .version = 1},
-                                                 {.name = "state", .channels = {"state"}}});
+    writeForeignParts(folder_.path("size.exr"),
+                      {{.name = "chromophores", .channels = kFive, .version = 1},
+                       {.name = "state", .channels = {"state"}}});
     QByteArray bytes = test::readBytes(folder_.path("size.exr"));
     const QByteArray window("displayWindow\0box2i\0\x10\0\0\0", 24);
     const qsizetype right = bytes.lastIndexOf(window) + window.size() + 8;
@@ -352,7 +358,8 @@ class MapsFileTest : public QObject {
   }
 
   void onlyOpenExrIsWritten() {
-    EXPECT_ERROR(writeMaps(folder_.path("maps.tif"), makeMaps(false), {}), "name the file with .exr");
+    EXPECT_ERROR(writeMaps(folder_.path("maps.tif"), makeMaps(false), {}),
+                 "name the file with .exr");
   }
 
   void metadataIsCarriedOver() {

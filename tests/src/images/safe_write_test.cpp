@@ -1,11 +1,11 @@
+#include <csignal>
 #include <sys/resource.h>
 
 #include <QtTest>
-#include <csignal>
 
+#include "src/images/codec/metadata.h"
 #include "src/images/image_file.h"
-#include "src/images/maps_file.h"
-#include "src/images/metadata.h"
+#include "src/images/maps/maps_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -42,12 +42,14 @@ class FullDisk {
 QByteArray tinyProfile(const QByteArray& description) {
   const auto number = [](quint32 n) {
     QByteArray bytes(4, '\0');
-    for (int i = 0; i < 4; ++i) bytes[i] = static_cast<char>(n >> (24 - 8 * i));
+    for (int i = 0; i < 4; ++i)
+      bytes[i] = static_cast<char>(n >> (24 - 8 * i));
     return bytes;
   };
   const quint32 textSize = 12 + static_cast<quint32>(description.size()) + 1;
-  const QByteArray text = "desc" + number(0) + number(static_cast<quint32>(description.size()) + 1) +
-                          description + QByteArray(1 + 78, '\0');
+  const QByteArray text = "desc" + number(0) +
+                          number(static_cast<quint32>(description.size()) + 1) + description +
+                          QByteArray(1 + 78, '\0');
   QByteArray profile(128, '\0');
   profile.replace(8, 4, number(0x02400000));
   profile.replace(12, 12, "mntrRGB XYZ ");
@@ -157,9 +159,9 @@ class SafeWriteTest : public QObject {
 
   void aFolderInTheWayIsTold() {
     std::filesystem::create_directory(folder_.path("folder.exr"));
-    EXPECT_ERROR(writeImage(folder_.path("folder.exr"), makeContent(4, 4, {"Y"}), SampleType::half,
-                            {}),
-                 "this is a folder");
+    EXPECT_ERROR(
+        writeImage(folder_.path("folder.exr"), makeContent(4, 4, {"Y"}), SampleType::half, {}),
+        "this is a folder");
   }
 
   void metadataIsCarriedOver() {
@@ -182,7 +184,8 @@ class SafeWriteTest : public QObject {
   void storageIsNotMetadata() {
     const Image camera = cameraPhotograph();
     for (const std::string& name : camera.metadata.names()) {
-      for (const char* storage : {"oiio:", "jpeg:", "Exif:ColorSpace", "ICCProfile", "compression"}) {
+      for (const char* storage :
+           {"oiio:", "jpeg:", "Exif:ColorSpace", "ICCProfile", "compression"}) {
         QVERIFY2(name.find(storage) == std::string::npos, name.c_str());
       }
     }
@@ -246,12 +249,37 @@ class SafeWriteTest : public QObject {
   // Names that mean something else in an EXR header, names and values of absurd size.
   void hostileMetadataDoesNotKeepFromWriting() {
     OIIO::ImageSpec spec(8, 8, 3, OIIO::TypeUInt8);
-    for (const char* name :
-         {"channels", "dataWindow", "displayWindow", "lineOrder", "compression", "type", "name",
-          "tiles", "chunkCount", "version", "preview", "pixelAspectRatio", "envmap", "view",
-          "multiView", "chromaticities", "keyCode", "timeCode", "framesPerSecond", "owner",
-          "worldToCamera", "isoSpeed", "dwaCompressionLevel", "screenWindowWidth", "xDensity",
-          "Orientation", "PixelAspectRatio", "cutis:version", "oiio:ColorSpace", "a b c", "ü"}) {
+    for (const char* name : {"channels",
+                             "dataWindow",
+                             "displayWindow",
+                             "lineOrder",
+                             "compression",
+                             "type",
+                             "name",
+                             "tiles",
+                             "chunkCount",
+                             "version",
+                             "preview",
+                             "pixelAspectRatio",
+                             "envmap",
+                             "view",
+                             "multiView",
+                             "chromaticities",
+                             "keyCode",
+                             "timeCode",
+                             "framesPerSecond",
+                             "owner",
+                             "worldToCamera",
+                             "isoSpeed",
+                             "dwaCompressionLevel",
+                             "screenWindowWidth",
+                             "xDensity",
+                             "Orientation",
+                             "PixelAspectRatio",
+                             "cutis:version",
+                             "oiio:ColorSpace",
+                             "a b c",
+                             "ü"}) {
       spec.attribute(name, "nonsense");
     }
     spec.attribute(std::string(79, 'n'), "long name");

@@ -1,8 +1,9 @@
 // The check on TIFF files made by hand, in all four forms a TIFF has.
 
+#include "src/images/codec/tiff_check.h"
+
 #include <QtTest>
 
-#include "src/images/tiff_check.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -36,7 +37,8 @@ class Tiff {
     QByteArray outside;
     for (const Tag& tag : tags) {
       QByteArray list;
-      for (const quint64 value : tag.values) list += number(value, bytesOf(tag.type));
+      for (const quint64 value : tag.values)
+        list += number(value, bytesOf(tag.type));
       head += number(static_cast<quint64>(tag.name), 2) +
               number(static_cast<quint64>(tag.type), 2) + number(tag.values.size(), word);
       if (list.size() <= word) {
@@ -103,11 +105,13 @@ class TiffCheckTest : public QObject {
               places.push_back(start);
               start += length;
             }
-            return tiff.make({{256, Type::uint16, {10}}, {offsets, wide, places}, {counts, narrow, lengths}});
+            return tiff.make(
+                {{256, Type::uint16, {10}}, {offsets, wide, places}, {counts, narrow, lengths}});
           };
           const auto header = static_cast<quint64>(made(0).size());
           quint64 total = 0;
-          for (const quint64 length : lengths) total += length;
+          for (const quint64 length : lengths)
+            total += length;
           const QByteArray whole = made(header) + QByteArray(static_cast<qsizetype>(total), 'x');
           EXPECT_OK(check(whole));
           EXPECT_OK(check(whole + "more"));
@@ -125,8 +129,10 @@ class TiffCheckTest : public QObject {
   void absurdNumbersAreNoTrouble() {
     const quint64 huge = ~quint64{0};
     const Tiff big(true, true), small(false, true);
-    EXPECT_ERROR(check(big.make({{273, Type::uint64, {huge}}, {279, Type::uint64, {huge}}})), "cut off");
-    EXPECT_ERROR(check(big.make({{273, Type::uint64, {8}}, {279, Type::uint64, {huge}}})), "cut off");
+    EXPECT_ERROR(check(big.make({{273, Type::uint64, {huge}}, {279, Type::uint64, {huge}}})),
+                 "cut off");
+    EXPECT_ERROR(check(big.make({{273, Type::uint64, {8}}, {279, Type::uint64, {huge}}})),
+                 "cut off");
     QByteArray manyStrips = small.make({{273, Type::uint32, {1}}, {279, Type::uint32, {1}}});
     manyStrips.replace(10 + 4, 4, "\xff\xff\xff\xff");  // the count of the first entry
     EXPECT_ERROR(check(manyStrips), "cut off");

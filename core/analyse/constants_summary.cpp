@@ -1,0 +1,63 @@
+#include "core/analyse/constants_summary.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "core/analyse/pixel_sample.h"
+#include "core/fit/free/free_prior.h"
+
+namespace cutis {
+namespace {
+
+constexpr std::size_t kMostPixels = 16384;
+
+double quantile(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+// values, deviations: one a pixel, at least one.
+ConstantSummary summaryOf(SkinConstant constant, const FreePrior& prior, std::vector<double> values,
+                          const float* deviations) {
+  ConstantSummary summary;
+  summary.constant = constant;
+  std::vector<double> open;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    open.push_back(double{deviations[i]} / prior.deviation(constant, values[i]));
+  summary.mean =
+      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  std::sort(values.begin(), values.end());
+  std::sort(open.begin(), open.end());
+  summary.low = quantile(values, 0.05);
+  summary.high = quantile(values, 0.95);
+  summary.openShare = quantile(open, 0.5);
+  return summary;
+}
+
+}  // namespace
+
+Result<std::vector<ConstantSummary>> summariseConstants(const Measurements& measurements,
+                                                        const ChromophoreMaps& maps,
+                                                        const PixelSolver& solver,
+                                                        const Profile& profile,
+                                                        const JobContext& context) {
+  std::vector<ConstantSummary> summaries;
+  if (solver.free().count() == 0) return summaries;
+  CUTIS_TRY(sample, samplePixels(measurements, &maps, kMostPixels, context));
+  if (sample.count == 0) return summaries;
+  std::vector<float> deviations(sample.parameters.size());
+  solver.deviations(sample.batch(), deviations.data());
+  const FreePrior prior = usualConstantsPrior(profile);
+  std::size_t row = kParameterCount * sample.count;
+  for (const SkinConstant constant : kSkinConstants) {
+    if (!solver.free().has(constant)) continue;
+    const auto first = sample.parameters.begin() + static_cast<std::ptrdiff_t>(row);
+    summaries.push_back(summaryOf(constant, prior,
+                                  {first, first + static_cast<std::ptrdiff_t>(sample.count)},
+                                  deviations.data() + row));
+    row += sample.count;
+  }
+  return summaries;
+}
+
+}  // namespace cutis

@@ -1,0 +1,28 @@
+#pragma once
+
+// The refined fit in single precision, each pixel from a start of its own
+// (core/fit/refined/start_polynomial.h
+//). Thread-safe: const after construction.
+
+#include "core/fit/refined/refined_problem.h"
+
+namespace cutis {
+
+class FastPass {
+ public:
+  // Trains the start, about 60 ms.
+  FastPass(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
+           const NoiseModel& noise, const FitOptions& options);
+  FastPass(const FastPass&) = delete;
+  FastPass& operator=(const FastPass&) = delete;
+
+  // What a batch holds, as runRefinedKernel(): coordinates come out.
+  void solve(const RefinedBatch<float>& batch) const { runRefinedKernel(problem(), batch); }
+  const RefinedProblem<float>& problem() const { return data_.problem(); }
+
+ private:
+  RefinedProblemData<float> data_;
+  StartPolynomial start_ = {};
+};
+
+}  // namespace cutis

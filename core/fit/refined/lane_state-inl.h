@@ -1,0 +1,54 @@
+// What a vector of pixels carries from round to round of the fit. Included once per instruction set
+// (Highway).
+
+#if defined(CUTIS_CORE_FIT_REFINED_LANE_STATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef CUTIS_CORE_FIT_REFINED_LANE_STATE_INL_H_
+#undef CUTIS_CORE_FIT_REFINED_LANE_STATE_INL_H_
+#else
+#define CUTIS_CORE_FIT_REFINED_LANE_STATE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "core/fit/refined/linearise-inl.h"
+#include "core/fit/refined/normal_equations-inl.h"
+#include "core/fit/refined/refined_kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cutis {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A vector of pixels between two rounds.
+template <class V>
+struct Lanes {
+  V channels[kMaximumFitChannels];
+  V precision[kMaximumFitChannels];
+  V base[kParameterCount];  // the best point so far
+  V step[kParameterCount];  // from there
+  V share;                  // of the step that is tried next
+  V cost;                   // at the base
+  V decrease;               // of the cost that the whole step promises
+  V doubtful;               // 1 where the step is not Newton's from the base itself, else 0
+  // Of the last round with derivatives.
+  V modelled[kMaximumFitChannels][kLinearColumns];
+  Factorisation<V> factor;
+  V free[kParameterCount];  // 0 where the coordinate was held, else 1
+  V unsure;  // 1 where a chord step at these derivatives cannot tell convergence, else 0
+};
+
+// What goes to memory of a lane that is put aside.
+template <typename T>
+struct Straggler {
+  std::uint32_t pixel;
+  std::uint32_t rounds;
+  T base[kParameterCount];
+  T step[kParameterCount];
+  T share, cost, decrease, doubtful;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cutis
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,71 @@
+#include "core/fit/refined/refined_problem.h"
+
+#include <cstddef>
+
+#include "core/fit/coordinate_prior.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kMaximumRounds = 100;
+
+}  // namespace
+
+template <typename T>
+RefinedProblemData<T>::RefinedProblemData(const SkinModel& model, const SpectralNodes& nodes,
+                                          const Prior& prior, const NoiseModel& noise,
+                                          const FitOptions& options)
+    : model_(model, nodes.samples) {
+  for (Eigen::Index k = 0; k < nodes.weights.rows(); ++k) {
+    for (Eigen::Index n = 0; n < nodes.weights.cols(); ++n) {
+      weights_.push_back(static_cast<T>(nodes.weights(k, n)));
+    }
+  }
+  problem_.nodes = model_.template nodes<T>().data();
+  problem_.nodeCount = model_.template nodes<T>().size();
+  problem_.layers = model_.template layers<T>();
+  problem_.weights = weights_.data();
+  problem_.channelCount = static_cast<std::size_t>(nodes.weights.rows());
+  problem_.readVariance = static_cast<T>(noise.read * noise.read);
+  problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
+  problem_.veil = static_cast<T>(noise.veil);
+  problem_.maximumRounds = kMaximumRounds;
+  if (options.shading) {
+    problem_.shadingPrecision = static_cast<T>(1.0 / (*options.shading * *options.shading));
+  }
+  setCoordinates(model.profile().axes, prior, options);
+  setCurvature(model);
+}
+
+template <typename T>
+void RefinedProblemData<T>::setCoordinates(const ParameterAxes& axes, const Prior& prior,
+                                           const FitOptions& options) {
+  const CoordinatePrior coordinates = coordinatePrior(prior, axes, options.fixed);
+  for (int i = 0; i < kParameterCount; ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    problem_.isLog[i] = coordinates.isLog[index];
+    problem_.isFixed[i] = coordinates.isFixed[index];
+    problem_.low[i] = static_cast<T>(coordinates.low[i]);
+    problem_.high[i] = static_cast<T>(coordinates.high[i]);
+    problem_.priorMean[i] = static_cast<T>(coordinates.mean[i]);
+    problem_.priorDeviation[i] = static_cast<T>(coordinates.deviation[i]);
+    for (int j = 0; j < kParameterCount; ++j) {
+      problem_.priorPrecision[i][j] = static_cast<T>(coordinates.precision(i, j));
+    }
+  }
+}
+
+template <typename T>
+void RefinedProblemData<T>::setCurvature(const SkinModel& model) {
+  constexpr int green = (550 - kFirstWavelengthNm) / kWavelengthStepNm;
+  const auto offset = [&](int i, double base, double chromophore) {
+    problem_.rootOffset[i] = static_cast<T>(base / chromophore);
+  };
+  offset(kMelanin, model.epidermis().base[green], model.epidermis().eumelanin[green]);
+  offset(kHaemoglobinDermal, model.dermis().base[green], model.dermis().blood[green]);
+}
+
+template class RefinedProblemData<float>;
+template class RefinedProblemData<double>;
+
+}  // namespace cutis

@@ -1,0 +1,42 @@
+#pragma once
+
+// Free constants as coordinates from 0 to 1: oxygenation is one itself; of the thickness it is the
+// place of its logarithm in thicknessRange().
+//
+// Thread-safe: const after construction.
+
+#include "core/base/result.h"
+#include "core/skin/profile/free_constants.h"
+
+namespace cutis {
+
+class FreeCoordinates {
+ public:
+  // Error: that of thicknessRange() where the thickness is free. Precondition: the profile is
+  // valid.
+  static Result<FreeCoordinates> make(const Profile& profile, const FreeConstants& free);
+
+  const FreeConstants& free() const { return free_; }
+  int count() const { return free_.count(); }
+  // Where a constant stands among the free ones; −1 if it is not free.
+  int indexOf(SkinConstant constant) const;
+  // Of the profile.
+  const SkinConstants& own() const { return own_; }
+  const ThicknessRange& thickness() const { return thickness_; }
+
+  // places: count() of them, 0 to 1; what is not free is the profile's. Always within the ranges.
+  SkinConstants at(const double* places) const;
+  // Clamped into 0 to 1.
+  void placesOf(const SkinConstants& constants, double* places) const;
+
+  // Of the constants `at` a place by that place.
+  double slope(SkinConstant constant, const SkinConstants& at) const;
+
+ private:
+  FreeConstants free_;
+  SkinConstants own_;
+  ThicknessRange thickness_;
+  double logRange_ = 0.0;  // of the thickness
+};
+
+}  // namespace cutis

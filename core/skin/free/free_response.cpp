@@ -1,0 +1,71 @@
+#include "core/skin/free/free_response.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <utility>
+
+#include "core/skin/free/free_nodes.h"
+
+namespace cutis {
+namespace {
+
+// Pixels evaluated at once: their reflectances stay in the cache.
+constexpr std::size_t kBatch = 64;
+// Of the progress: the choice of the nodes, then their tables.
+constexpr double kNodesEnd = 0.8;
+
+// Constants of pixel i of a batch, within their ranges.
+SkinConstants constantsAt(const ParameterBatch<float>& batch, std::size_t i,
+                          const FreeCoordinates& places) {
+  SkinConstants constants = places.own();
+  if (places.free().oxygenation) {
+    constants.oxygenation = std::clamp(double{batch.constants[kOxygenation][i]}, 0.0, 1.0);
+  }
+  if (places.free().thickness) {
+    constants.thicknessMm = std::clamp(double{batch.constants[kThickness][i]},
+                                       places.thickness().lowMm, places.thickness().highMm);
+  }
+  return constants;
+}
+
+}  // namespace
+
+Result<FreeResponse> FreeResponse::make(const SkinModel& model, const SpectrumRows& rows,
+                                        const FreeConstants& free, const NodeOptions& options,
+                                        const JobContext& context) {
+  CUTIS_TRY(nodes, chooseFreeNodes(model, rows, free, options, context.child(0.0, kNodesEnd)));
+  CUTIS_TRY(skin, FreeSkin::make(model, nodes.samples, free, context.child(kNodesEnd, 1.0)));
+  return FreeResponse(std::move(nodes), std::move(skin));
+}
+
+void FreeResponse::evaluate(const ParameterBatch<float>& batch, std::span<float* const> out) const {
+  assert(out.size() == static_cast<std::size_t>(rowCount()));
+  std::vector<ParameterVector> parameters;
+  std::vector<SkinConstants> constants;
+  for (std::size_t begin = 0; begin < batch.count; begin += kBatch) {
+    const std::size_t count = std::min(kBatch, batch.count - begin);
+    parameters.resize(count);
+    constants.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = 0; k < batch.values.size(); ++k) {
+        parameters[i][static_cast<Eigen::Index>(k)] = double{batch.values[k][begin + i]};
+      }
+      constants[i] = constantsAt(batch, begin + i, skin_.places());
+    }
+    const std::vector<double> reflectance =
+        skin_.evaluate(parameters, constants, false).reflectance;
+    for (std::size_t row = 0; row < out.size(); ++row) {
+      for (std::size_t i = 0; i < count; ++i) {
+        double sum = 0.0;
+        for (std::size_t n = 0; n < nodes_.samples.size(); ++n) {
+          sum += nodes_.weights(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(n)) *
+                 reflectance[n * count + i];
+        }
+        out[row][begin + i] = static_cast<float>(sum);
+      }
+    }
+  }
+}
+
+}  // namespace cutis

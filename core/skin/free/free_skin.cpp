@@ -1,0 +1,80 @@
+#include "core/skin/free/free_skin.h"
+
+#include <cassert>
+#include <cstddef>
+#include <utility>
+
+#include "core/skin/profile/absorption.h"
+
+namespace cutis {
+
+Result<FreeSkin> FreeSkin::make(const SkinModel& model, std::span<const int> samples,
+                                const FreeConstants& free, const JobContext& context,
+                                const FreeSkinOptions& options) {
+  CUTIS_TRY(places, FreeCoordinates::make(model.profile(), free));
+  CUTIS_TRY(layers,
+            FreeLayers::make(model.profile(), samples, free, context, options.thicknessPoints));
+  return FreeSkin(model, samples, std::move(places), std::move(layers), options.edgeLossPerMm);
+}
+
+FreeSkin::FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates places,
+                   FreeLayers layers, double edgeLossPerMm)
+    : samples_(samples.begin(), samples.end()),
+      places_(std::move(places)),
+      axes_(model.profile().axes),
+      epidermis_(model.epidermis()),
+      dermis_(model.dermis()),
+      dermalScattering_(dermalScattering(model.profile())),
+      edge_{0.0, 1.0, edgeLossPerMm},
+      blood_(model.profile(), samples_, places_.free().oxygenation),
+      layers_(std::move(layers)) {}
+
+FreeSpectra FreeSkin::evaluate(std::span<const ParameterVector> parameters,
+                               std::span<const SkinConstants> constants, bool derivatives) const {
+  assert(parameters.size() == constants.size());
+  const std::size_t count = parameters.size(), size = samples_.size() * count;
+  std::vector<double> oxygenations(count), thicknesses(count);
+  std::vector<ParameterVector> bloodless(parameters.begin(), parameters.end());
+  for (std::size_t i = 0; i < count; ++i) {
+    oxygenations[i] = constants[i].oxygenation;
+    thicknesses[i] = constants[i].thicknessMm;
+    bloodless[i][kHaemoglobinEpidermal] = 0.0;
+  }
+  FreeBlood::Values blood = blood_.at(oxygenations);
+  // Of the dermis as it acts, and by how much it does so more than its own.
+  std::vector<double> epidermal(size), dermal(size), acting(size);
+  for (std::size_t s = 0; s < samples_.size(); ++s) {
+    const int sample = samples_[s];
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t at = s * count + i;
+      epidermal[at] = epidermalAbsorptionAt(epidermis_, sample, bloodless[i]) +
+                      parameters[i][kHaemoglobinEpidermal] * blood.epidermal[at];
+      const EffectiveAbsorption effective = withEdgeLoss(
+          edge_, dermis_.base[sample] + parameters[i][kHaemoglobinDermal] * blood.dermal[at],
+          dermalScattering_[sample]);
+      dermal[at] = effective.absorption;
+      acting[at] = effective.slope;
+    }
+  }
+  LayerSpectra layers =
+      layers_.evaluate({thicknesses.data(), epidermal.data(), dermal.data(), count}, derivatives);
+  FreeSpectra spectra;
+  spectra.reflectance = std::move(layers.reflectance);
+  if (!derivatives) return spectra;
+  spectra.perEpidermal = std::move(layers.perEpidermalAbsorption);
+  spectra.perDermal = std::move(layers.perDermalAbsorption);
+  spectra.perThickness = std::move(layers.perThickness);
+  spectra.perOxygenation.resize(size);
+  for (std::size_t at = 0; at < size; ++at) {
+    const ParameterVector& own = parameters[at % count];
+    spectra.perDermal[at] *= acting[at];
+    spectra.perOxygenation[at] =
+        spectra.perDermal[at] * own[kHaemoglobinDermal] * blood.dermalSlope[at] +
+        spectra.perEpidermal[at] * own[kHaemoglobinEpidermal] * blood.epidermalSlope[at];
+  }
+  spectra.epidermalBlood = std::move(blood.epidermal);
+  spectra.dermalBlood = std::move(blood.dermal);
+  return spectra;
+}
+
+}  // namespace cutis

@@ -1,0 +1,69 @@
+#pragma once
+
+// The model of a profile, in double precision: five parameters to a reflectance spectrum. The
+// reference that every faster path is held against.
+//
+// Thread-safe: const after construction. Parameters outside the profile's ranges are evaluated as
+// they are; the result is meaningful as long as no absorption turns negative.
+
+#include <memory>
+
+#include <Eigen/Core>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "core/skin/layers/optics.h"
+#include "core/skin/model/node_cache.h"
+#include "core/skin/profile/absorption.h"
+#include "core/skin/profile/parameter_axis.h"
+#include "core/skin/profile/profile.h"
+#include "core/spectra/grid.h"
+
+namespace cutis {
+
+// ∂R(λ)/∂(parameter), one column per parameter.
+using SpectrumJacobian = Eigen::Array<double, kSampleCount, kParameterCount>;
+
+class SkinModel {
+ public:
+  // For a profile whose layers are by diffusion. Precondition: validate(profile) passed.
+  explicit SkinModel(const Profile& profile);
+  // For one by radiative transfer. Precondition: validate(profile) passed; the table is the
+  // profile's, at all wavelengths.
+  SkinModel(const Profile& profile, std::shared_ptr<const LayerTable> table);
+
+  // Either, making the table where one is needed: then about 2 s on one core. Cancelled if asked to
+  // stop. Errors: those of LayerTable::make. Precondition: validate(profile) passed.
+  static Result<std::shared_ptr<const SkinModel>> create(const Profile& profile,
+                                                         const JobContext& context = {});
+
+  const Profile& profile() const { return profile_; }
+  const EpidermalAbsorption& epidermis() const { return epidermis_; }
+  const DermalAbsorption& dermis() const { return dermis_; }
+  const LayerOptics& optics() const { return *optics_; }
+  // For chooseNodes().
+  NodeCache& nodeCache() const { return *nodeCache_; }
+
+  double reflectanceAt(int sample, const ParameterVector& parameters) const;
+  Spectrum reflectance(const ParameterVector& parameters) const;
+
+  // Reflectance at one sample and its five derivatives.
+  double reflectanceAt(int sample, const ParameterVector& parameters,
+                       ParameterVector& derivatives) const;
+  Spectrum reflectance(const ParameterVector& parameters, SpectrumJacobian& derivatives) const;
+  // From derivatives by the layers' absorptions, at these parameters, to those by the parameters.
+  ParameterVector parameterDerivatives(int sample, const ParameterVector& parameters,
+                                       const LayeredReflectance& layered) const;
+
+  // Whether the layer optics hold at this sample.
+  bool holdsAt(int sample, const ParameterVector& parameters) const;
+
+ private:
+  Profile profile_;
+  EpidermalAbsorption epidermis_;
+  DermalAbsorption dermis_;
+  std::unique_ptr<const LayerOptics> optics_;
+  std::unique_ptr<NodeCache> nodeCache_ = std::make_unique<NodeCache>();
+};
+
+}  // namespace cutis

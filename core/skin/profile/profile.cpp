@@ -1,0 +1,176 @@
+#include "core/skin/profile/profile.h"
+
+#include <cmath>
+
+#include "core/skin/profile/absorption.h"
+
+namespace cutis {
+namespace {
+
+// Twenty times the paper's table; 40 MB per channel.
+constexpr double kMaximumTableEntries = 1e7;
+// Far beyond any pigment; products of such numbers still fit into single precision.
+constexpr double kMaximumAbsorptionPerMm = 1e6;
+
+// A shift or a smoothing beyond it would be another chromophore.
+constexpr double kMaximumShiftNm = 100.0;
+
+bool isBetween(double low, double value, double high) {
+  return value >= low && value <= high;
+}
+bool isFraction(double value) {
+  return isBetween(0.0, value, 1.0);
+}
+
+Status require(bool condition, const std::string& place, const std::string& field,
+               const std::string& demand) {
+  if (condition) return {};
+  return inputError(place, field + " must be " + demand);
+}
+
+Status validateParameters(const Profile& profile, const std::string& place) {
+  for (const Parameter parameter : kParameters) {
+    const auto i = static_cast<std::size_t>(parameter);
+    const ParameterAxis& axis = profile.axes[i];
+    const std::string field = "parameters." + std::string(parameterName(parameter));
+    CUTIS_CHECK(require(axis.maximum > 0.0 && std::isfinite(axis.maximum), place,
+                        field + ".maximum", "positive"));
+    CUTIS_CHECK(require(axis.samples >= 2 && axis.samples <= 256, place, field + ".samples",
+                        "between 2 and 256"));
+    CUTIS_CHECK(require(axis.exponent >= 1 && axis.exponent <= 3, place, field + ".spacing",
+                        "uniform, quadratic or cubic"));
+  }
+  CUTIS_CHECK(validate(profile.prior, place, "prior."));
+  double entries = 1.0;
+  for (const ParameterAxis& axis : profile.axes)
+    entries *= axis.samples;
+  return require(entries <= kMaximumTableEntries, place, "the product of all parameters.*.samples",
+                 "at most 10 million, the entries of the largest table of skin");
+}
+
+Status validateTail(const ExponentialTail& tail, const std::string& place,
+                    const std::string& field) {
+  CUTIS_CHECK(require(std::isfinite(tail.amplitude) && std::isfinite(tail.originNm), place, field,
+                      "finite"));
+  return require(tail.decayNm > 0.0, place, field + ".decay_nm", "positive");
+}
+
+Status validateBlood(const BloodOptics& blood, const std::string& place, const std::string& field) {
+  CUTIS_CHECK(
+      require(isFraction(blood.oxygenation), place, field + ".oxygenation", "between 0 and 1"));
+  return require(isBetween(0.0, blood.vesselRadiusMm, 1.0), place, field + ".vessel_radius_mm",
+                 "between 0 and 1");
+}
+
+Status validateCarotene(const CaroteneInSkin& carotene, const std::string& place) {
+  const std::string field = "absorption.carotene.";
+  CUTIS_CHECK(
+      require(isBetween(0.0, carotene.scale, 100.0), place, field + "scale", "between 0 and 100"));
+  CUTIS_CHECK(require(isBetween(-kMaximumShiftNm, carotene.shiftNm, kMaximumShiftNm), place,
+                      field + "shift_nm", "between -100 and 100"));
+  return require(isBetween(0.0, carotene.smoothingNm, kMaximumShiftNm), place,
+                 field + "smoothing_nm", "between 0 and 100");
+}
+
+Status validateFat(const Profile& profile, const std::string& place) {
+  CUTIS_CHECK(
+      require(isFraction(profile.dermalFat), place, "dermis.fat_fraction", "between 0 and 1"));
+  CUTIS_CHECK(require(profile.fat.peak >= 0.0 && std::isfinite(profile.fat.peak), place,
+                      "absorption.fat.peak", "finite and not negative"));
+  return require(profile.fat.deviationNm > 0.0, place, "absorption.fat.deviation_nm", "positive");
+}
+
+Status validateLaw(const PowerLaw& law, const std::string& place, const std::string& field) {
+  return require(law.referenceNm > 0.0 && std::isfinite(law.referenceNm), place, field + ".at_nm",
+                 "positive");
+}
+
+Status validateTissue(const Profile& profile, const std::string& place) {
+  CUTIS_CHECK(require(isFraction(profile.epidermalWater), place, "epidermis.water_fraction",
+                      "between 0 and 1"));
+  CUTIS_CHECK(
+      require(isFraction(profile.dermalWater), place, "dermis.water_fraction", "between 0 and 1"));
+  CUTIS_CHECK(validateLaw(profile.eumelanin, place, "absorption.eumelanin"));
+  CUTIS_CHECK(validateLaw(profile.pheomelanin, place, "absorption.pheomelanin"));
+  CUTIS_CHECK(validateTail(profile.baseline.tail, place, "absorption.baseline"));
+  CUTIS_CHECK(validateTail(profile.epidermalUltraviolet, place, "epidermis.ultraviolet"));
+  CUTIS_CHECK(require(isBetween(0.0, profile.dermalBaselineFactor, 10.0), place,
+                      "dermis.baseline_factor", "between 0 and 10"));
+  CUTIS_CHECK(validateBlood(profile.epidermalBlood, place, "epidermis.blood"));
+  CUTIS_CHECK(validateBlood(profile.dermalBlood, place, "dermis.blood"));
+  CUTIS_CHECK(require(isBetween(0.0, profile.bloodSmoothingNm, kMaximumShiftNm), place,
+                      "absorption.blood_smoothing_nm", "between 0 and 100"));
+  CUTIS_CHECK(validateCarotene(profile.caroteneInSkin, place));
+  return validateFat(profile, place);
+}
+
+Status validateAbsorption(const Profile& profile, const std::string& place) {
+  CUTIS_CHECK(validateTissue(profile, place));
+  const EpidermalAbsorption epidermis = epidermalAbsorption(profile);
+  const DermalAbsorption dermis = dermalAbsorption(profile);
+  // Absorption is linear in each concentration, so its extremes are at corners of the box.
+  for (int corner = 0; corner < 1 << kParameterCount; ++corner) {
+    ParameterVector parameters;
+    for (int k = 0; k < kParameterCount; ++k) {
+      parameters[k] =
+          (corner >> k & 1) != 0 ? profile.axes[static_cast<std::size_t>(k)].maximum : 0.0;
+    }
+    for (int i = 0; i < kSampleCount; ++i) {
+      const std::string where = " over the whole parameter range, and is not at " +
+                                std::to_string(kFirstWavelengthNm + i * kWavelengthStepNm) + " nm";
+      for (const double absorption : {epidermalAbsorptionAt(epidermis, i, parameters),
+                                      dermalAbsorptionAt(dermis, i, parameters)}) {
+        CUTIS_CHECK(require(absorption < kMaximumAbsorptionPerMm, place, "absorption",
+                            "below a million per mm" + where));
+        CUTIS_CHECK(require(absorption >= 0.0, place, "absorption", "positive" + where));
+      }
+    }
+  }
+  return {};
+}
+
+Status validateScattering(const Profile& profile, const std::string& place) {
+  const auto lawIsValid = [&](const ReducedScattering& law, const std::string& field) -> Status {
+    CUTIS_CHECK(validateLaw(law.mie, place, field + ".mie_scattering"));
+    return validateLaw(law.rayleigh, place, field + ".rayleigh_scattering");
+  };
+  const auto isPositive = [&](const Spectrum& scattering, const std::string& field) {
+    return require(scattering.isFinite().all() && (scattering > 0.0).all(), place,
+                   field + ".reduced_scattering", "positive from 300 to 1000 nm");
+  };
+  CUTIS_CHECK(lawIsValid(profile.epidermalScatteringLaw, "epidermis"));
+  CUTIS_CHECK(isPositive(epidermalScattering(profile), "epidermis"));
+  if (profile.dermalScatteringLaw) {
+    CUTIS_CHECK(lawIsValid(*profile.dermalScatteringLaw, "dermis"));
+    return isPositive(dermalScattering(profile), "dermis");
+  }
+  return require(
+      profile.dermalScatteringRatio > 0.0 && std::isfinite(profile.dermalScatteringRatio), place,
+      "dermis.scattering_ratio", "positive");
+}
+
+Status validateLayers(const Profile& profile, const std::string& place) {
+  CUTIS_CHECK(require(profile.refractiveIndex >= 1.0 && profile.refractiveIndex <= 2.0, place,
+                      "refractive_index", "between 1 and 2"));
+  CUTIS_CHECK(require(profile.epidermalThicknessMm > 0.0 && profile.epidermalThicknessMm < 10.0,
+                      place, "epidermis.thickness_mm", "between 0 and 10"));
+  CUTIS_CHECK(validateScattering(profile, place));
+  // Below one transport mean free path the slab's reflectance turns negative.
+  const double thinnestMm = longestPathMm(profile);
+  return require(profile.layerOptics != LayerOpticsKind::diffusion ||
+                     profile.epidermalThicknessMm >= thinnestMm,
+                 place, "epidermis.thickness_mm",
+                 "at least " + std::to_string(thinnestMm) +
+                     ", one transport mean free path, for layer_optics \"diffusion\"; a thinner "
+                     "epidermis needs adding-doubling");
+}
+
+}  // namespace
+
+Status validate(const Profile& profile, const std::string& place) {
+  CUTIS_CHECK(validateParameters(profile, place));
+  CUTIS_CHECK(validateAbsorption(profile, place));
+  return validateLayers(profile, place);
+}
+
+}  // namespace cutis

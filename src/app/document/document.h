@@ -1,0 +1,161 @@
+#pragma once
+
+// One subject: what was opened, its maps, its edits.
+//
+// All change goes through apply(), undo(), fitWith() and open…(): they cancel what they invalidate,
+// keep the history and tell who watches. Reading and fitting run in the background; whatever can be
+// shown is shown before they end. The document never waits.
+//
+// Lives on the interface thread. What pictures are made of is handed out as a Scene, which any
+// thread may read.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "core/base/result.h"
+#include "core/fit/fit_run.h"
+#include "src/app/document/scene.h"
+#include "src/app/document/shared_rect.h"
+#include "src/app/document/undo_history.h"
+#include "src/app/engine.h"
+#include "src/app/job_runner.h"
+#include "src/app/open/fit_choice.h"
+
+namespace cutis {
+
+// A change of the state that undo restores.
+struct Command {
+  QString name;        // "Melanin × 1.4"
+  QString mergeGroup;  // commands of one group in a row are one step; empty never merges
+  std::function<void(DocumentState&)> change;
+  // A control is being dragged: pictures may be coarse until the next command.
+  bool moving = false;
+};
+
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  // Both outlive the document.
+  Document(Engine& engine, JobRunner& jobs, QObject* parent = nullptr);
+
+  // How what is opened from now on is fitted at first.
+  void setUsualFit(const FitChoice& choice) { usualFit_ = choice; }
+
+  // Each replaces what is open once it could be read; a failure leaves it as it was.
+  void openSample();
+  // A capture's folder, capture.json, an image or maps.
+  void open(const std::filesystem::path& path);
+
+  bool isOpen() const { return scene_.has_value(); }
+  QString name() const { return name_; }
+  // Whether the fit is complete.
+  bool isFitted() const { return fitted_; }
+  // The files this was made from; never written to.
+  const std::vector<std::filesystem::path>& sourceFiles() const { return sourceFiles_; }
+  // Precondition: isOpen().
+  const Scene& scene() const { return *scene_; }
+  const FitStatistics& statistics() const { return statistics_; }
+  // Whether there is something to fit: opened maps stay what they are.
+  bool canFit() const { return isOpen() && scene_->source != nullptr; }
+  // How the maps were fitted, or are being fitted.
+  const FitChoice& fitChoice() const { return choice_; }
+
+  // What somebody looks at: a fit that is under way does its tiles first.
+  void lookAt(const Rect& view);
+
+  // Fits again, edits are kept; a choice that cannot be is told. Where the fit fails or is
+  // cancelled the last complete one comes back. Precondition: canFit().
+  void fitWith(const FitChoice& choice);
+  // Adds a network of the profile and the source's lights to the engine and fits with it.
+  // Precondition: canFit().
+  void useNetwork(std::shared_ptr<const ChromophoreNetwork> network, const std::string& profile);
+
+  // Precondition for the rest: isOpen().
+  void apply(const Command& command);
+  // The drag of a control has ended: the next command starts a step of its own.
+  void endGroup() { history_.closeGroup(); }
+  void undo();
+  void redo();
+  const UndoHistory& history() const { return history_; }
+
+  // The spectra of a pixel, original and edited, computed exactly; nothing where there is no
+  // estimate. About 0.1 ms.
+  struct PixelSpectra {
+    ParameterVector originalParameters;
+    ParameterVector editedParameters;
+    Spectrum original;
+    Spectrum edited;
+  };
+  std::optional<PixelSpectra> spectraAt(int x, int y) const;
+
+ Q_SIGNALS:
+  // Something else is open now; its maps may still be empty.
+  void opened();
+  // The maps have new values. At most 20 times a second.
+  void mapsChanged();
+  // Maps, profile and what depends on the profile are others; size and edits are as they were.
+  void sceneReplaced();
+  void fitted();
+  void fitChoiceChanged();
+  // There is no network for the lights and the profile; another method is used instead.
+  void networkMissing();
+  void editsChanged(bool moving);
+  // One sentence for the user.
+  void failed(const QString& sentence);
+  void noticed(const QString& sentence);
+
+ private:
+  using Opener = std::function<Result<Source>(const std::shared_ptr<const SkinModel>& model,
+                                              const JobContext& context)>;
+
+  void startOpening(const QString& name, std::vector<std::filesystem::path> files, Opener open);
+  void openMaps(const std::filesystem::path& path);
+  void take(Scene scene, const FitChoice& choice, const QString& name,
+            std::vector<std::filesystem::path> files);
+  // With notices for the user.
+  JobContext contextOf(const JobRunner::Handle& job);
+  void startFit();
+  void cancelFit();
+  // On the thread of the job.
+  void fit(const FitChoice& choice, Scene scene, const std::filesystem::path& path,
+           const JobRunner::Handle& job);
+  void show(const Scene& fitted);
+  void completeFit(const FitStatistics& statistics);
+  void backToLastFit();
+  void fitWithoutNetwork();
+  void setEdits(bool moving);
+
+  Engine& engine_;
+  JobRunner& jobs_;
+  std::shared_ptr<TileStore> store_;
+  JobId opening_ = 0;
+  JobId fitting_ = 0;
+  QTimer mapsTimer_;
+
+  std::optional<Scene> scene_;
+  QString name_;
+  std::vector<std::filesystem::path> sourceFiles_;
+  FitChoice usualFit_;
+  FitChoice choice_;
+  bool fitted_ = false;
+  FitStatistics statistics_;
+  // The last one that was complete.
+  struct Fit {
+    FitChoice choice;
+    Scene scene;
+    FitStatistics statistics;
+  };
+  std::optional<Fit> lastFit_;
+  std::shared_ptr<SharedRect> view_ = std::make_shared<SharedRect>();  // shared with the fit
+  UndoHistory history_;
+};
+
+}  // namespace cutis

@@ -1,0 +1,28 @@
+#include "src/app/document/undo_history.h"
+
+#include <utility>
+
+namespace cutis {
+
+void UndoHistory::push(const QString& name, const QString& mergeGroup, DocumentState state) {
+  if (open_ && !mergeGroup.isEmpty() && steps_[position_].group == mergeGroup) {
+    steps_[position_].state = std::move(state);
+    return;
+  }
+  steps_.resize(position_ + 1);
+  steps_.push_back({name, mergeGroup, std::move(state)});
+  ++position_;
+  open_ = true;
+}
+
+void UndoHistory::undo() {
+  --position_;
+  open_ = false;
+}
+
+void UndoHistory::redo() {
+  ++position_;
+  open_ = false;
+}
+
+}  // namespace cutis

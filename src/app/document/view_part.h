@@ -1,0 +1,49 @@
+#pragma once
+
+// What the editor can show of a scene, computed part by part.
+
+#include "core/base/job_context.h"
+#include "core/base/rect.h"
+#include "core/base/result.h"
+#include "core/render/render_picture.h"
+#include "src/app/document/scene.h"
+#include "src/app/engine.h"
+#include "src/app/picture_request.h"
+
+namespace cutis {
+
+enum class ViewKind {
+  photograph,    // linear Rec.709
+  editedAlbedo,  // linear Rec.709: what an export writes
+  skin,          // under the chosen light, linear Rec.709 or a camera's channels
+  melanin,       // one channel each, in the parameter's unit, with edits
+  melaninBlend,
+  haemoglobinDermal,
+  haemoglobinEpidermal,
+  carotene,
+  ultraviolet,  // one channel: mean reflectance
+  nearInfrared,
+};
+
+// Nothing for the layers that are no map.
+std::optional<Parameter> parameterOf(ViewKind layer);
+
+struct ViewRequest {
+  ViewKind layer = ViewKind::photograph;
+  Rect rect;     // of the picture, in pixels
+  int step = 1;  // every step-th pixel of every step-th row
+  bool operator==(const ViewRequest&) const = default;
+};
+
+struct ViewPart {
+  ViewRequest request;
+  PictureBuffer pixels;
+};
+
+// The part of the picture that a request asks for; what lies outside of the picture is left out.
+// `picture` is the light and eyes of the layer `skin`. On all cores. Precondition for photograph
+// and editedAlbedo: the scene has a source.
+Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureRequest& picture,
+                            const ViewRequest& request, const JobContext& context);
+
+}  // namespace cutis

@@ -1,0 +1,134 @@
+#include "src/app/document/view_server.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace cutis {
+namespace {
+
+// While a control is dragged only these are served: the picture itself, not its thumbnails.
+constexpr int kPictureItself = 0;
+constexpr int kCoarserWhileMoving = 2;
+
+bool showsMaps(ViewKind layer) {
+  return layer != ViewKind::photograph;
+}
+
+}  // namespace
+
+ViewWatch::~ViewWatch() {
+  server_.remove(this);
+}
+
+void ViewWatch::want(const ViewRequest& request) {
+  if (request == request_) return;
+  request_ = request;
+  due_ = !request.rect.empty();
+  server_.startNext();
+}
+
+ViewServer::ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent)
+    : QObject(parent), document_(document), engine_(engine), jobs_(jobs) {
+  connect(&document, &Document::opened, this, &ViewServer::forget);
+  connect(&document, &Document::mapsChanged, this, [this] { invalidate(showsMaps); });
+  connect(&document, &Document::sceneReplaced, this, [this] {
+    // A part of the old scene must not be taken for one of the new.
+    jobs_.cancel(job_);
+    job_ = 0;
+    invalidate([](ViewKind) { return true; });
+  });
+  connect(&document, &Document::editsChanged, this, [this](bool moving) {
+    moving_ = moving;
+    // A part at full resolution that is out of date would only delay the next.
+    if (moving && !jobIsCoarse_) {
+      jobs_.cancel(job_);
+      job_ = 0;
+    }
+    invalidate(showsMaps);
+  });
+}
+
+std::unique_ptr<ViewWatch> ViewServer::watch(int priority, ViewWatch::Show show) {
+  std::unique_ptr<ViewWatch> watch(new ViewWatch(*this, priority, std::move(show)));
+  watches_.push_back(watch.get());
+  return watch;
+}
+
+void ViewServer::setPicture(const PictureRequest& picture) {
+  if (picture == picture_) return;
+  picture_ = picture;
+  invalidate([](ViewKind layer) { return layer == ViewKind::skin; });
+}
+
+bool ViewServer::isIdle() const {
+  return job_ == 0 && mostUrgent() == nullptr;
+}
+
+void ViewServer::invalidate(const std::function<bool(ViewKind)>& concerns) {
+  for (ViewWatch* watch : watches_) {
+    if (concerns(watch->request_.layer) && !watch->request_.rect.empty()) watch->due_ = true;
+  }
+  startNext();
+}
+
+// Another document is open: requests were for pixels of the old one.
+void ViewServer::forget() {
+  jobs_.cancel(job_);
+  job_ = 0;
+  moving_ = false;
+  for (ViewWatch* watch : watches_) {
+    watch->request_ = {};
+    watch->due_ = false;
+  }
+}
+
+void ViewServer::remove(const ViewWatch* watch) {
+  std::erase(watches_, watch);
+}
+
+ViewWatch* ViewServer::mostUrgent() const {
+  ViewWatch* urgent = nullptr;
+  for (ViewWatch* watch : watches_) {
+    if (!watch->due_ || (moving_ && watch->priority_ > kPictureItself)) continue;
+    if (urgent == nullptr || watch->priority_ < urgent->priority_) urgent = watch;
+  }
+  return urgent;
+}
+
+void ViewServer::startNext() {
+  if (job_ != 0 || !document_.isOpen()) return;
+  ViewWatch* watch = mostUrgent();
+  if (watch == nullptr) {
+    Q_EMIT becameIdle();
+    return;
+  }
+  watch->due_ = false;
+  jobIsCoarse_ = moving_;
+  ViewRequest request = watch->request_;
+  if (moving_) request.step *= kCoarserWhileMoving;
+  job_ = jobs_.startQuiet([this, watch, request, scene = document_.scene(),
+                           picture = picture_](const JobRunner::Handle& job) {
+    auto part = renderView(scene, engine_, picture, request, job.context);
+    if (part.failed()) {
+      job.post([this, sentence = QString::fromStdString(part.error().text())] {
+        job_ = 0;
+        Q_EMIT failed(sentence);
+        startNext();
+      });
+    } else if (part) {
+      auto shared = std::make_shared<const ViewPart>(std::move(part).value());
+      job.post([this, watch, shared] { deliver(watch, shared); });
+    }
+  });
+}
+
+void ViewServer::deliver(const ViewWatch* watch, const std::shared_ptr<const ViewPart>& part) {
+  job_ = 0;
+  // The watch may be gone, or want another layer by now.
+  const bool wanted = std::find(watches_.begin(), watches_.end(), watch) != watches_.end() &&
+                      watch->request_.layer == part->request.layer;
+  if (wanted) watch->show_(part);
+  startNext();
+}
+
+}  // namespace cutis

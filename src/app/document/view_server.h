@@ -1,0 +1,94 @@
+#pragma once
+
+// Pictures for the screen, made for those who watch.
+//
+// A view holds a ViewWatch and tells which part of which layer it shows at which step; it is then
+// handed that part whenever it changes, newest state first, computed in the background. What nobody
+// watches is not computed. While a control is dragged parts come at half resolution; the full one
+// follows when it rests.
+//
+// Lives on the interface thread.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <QObject>
+
+#include "src/app/document/document.h"
+#include "src/app/document/view_part.h"
+#include "src/app/engine.h"
+#include "src/app/job_runner.h"
+#include "src/app/picture_request.h"
+
+namespace cutis {
+
+class ViewServer;
+
+// A wish to be shown something. Nothing is delivered after its destruction.
+class ViewWatch {
+ public:
+  using Show = std::function<void(const std::shared_ptr<const ViewPart>&)>;
+
+  ~ViewWatch();
+  ViewWatch(const ViewWatch&) = delete;
+  ViewWatch& operator=(const ViewWatch&) = delete;
+
+  // Replaces the wish; an empty rect wishes nothing.
+  void want(const ViewRequest& request);
+
+ private:
+  friend class ViewServer;
+  ViewWatch(ViewServer& server, int priority, Show show)
+      : server_(server), priority_(priority), show_(std::move(show)) {}
+
+  ViewServer& server_;
+  int priority_;
+  Show show_;
+  ViewRequest request_;
+  bool due_ = false;  // the last part shown is not of this state, or none was
+};
+
+class ViewServer : public QObject {
+  Q_OBJECT
+
+ public:
+  // All outlive the server.
+  ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent = nullptr);
+
+  // Lower priorities are served first. The server outlives its watches.
+  std::unique_ptr<ViewWatch> watch(int priority, ViewWatch::Show show);
+
+  // What the layer `skin` shows.
+  void setPicture(const PictureRequest& picture);
+  const PictureRequest& picture() const { return picture_; }
+
+  // Nothing is due and nothing under way.
+  bool isIdle() const;
+
+ Q_SIGNALS:
+  void failed(const QString& sentence);
+  void becameIdle();
+
+ private:
+  friend class ViewWatch;
+
+  // Marks what `concerns` says as due.
+  void invalidate(const std::function<bool(ViewKind)>& concerns);
+  void forget();
+  void remove(const ViewWatch* watch);
+  void startNext();
+  ViewWatch* mostUrgent() const;
+  void deliver(const ViewWatch* watch, const std::shared_ptr<const ViewPart>& part);
+
+  Document& document_;
+  Engine& engine_;
+  JobRunner& jobs_;
+  PictureRequest picture_;
+  std::vector<ViewWatch*> watches_;
+  JobId job_ = 0;
+  bool jobIsCoarse_ = false;
+  bool moving_ = false;
+};
+
+}  // namespace cutis

@@ -1,0 +1,171 @@
+#include "src/app/export/edited_source.h"
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/render/render_picture.h"
+#include "src/app/open/photograph_part.h"
+#include "src/color/color_space.h"
+
+namespace cutis {
+namespace {
+
+using Channels = std::vector<std::vector<float>>;  // R, G, B
+
+bool sameBits(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+Status convert(const ColorConverter& converter, Channels& channels) {
+  const std::size_t pixels = channels.front().size();
+  std::vector<float> rgb(3 * pixels);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t p = 0; p < pixels; ++p)
+      rgb[3 * p + c] = channels[c][p];
+  }
+  CUTIS_CHECK(converter(rgb));
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t p = 0; p < pixels; ++p)
+      channels[c][p] = rgb[3 * p + c];
+  }
+  return {};
+}
+
+void multiply(float factor, Channels& channels) {
+  if (factor == 1.0f) return;
+  for (std::vector<float>& channel : channels) {
+    for (float& value : channel)
+      value *= factor;
+  }
+}
+
+// Where no channel of a pixel was changed, its stored values.
+void restoreUnchanged(const Channels& before, const Channels& after, const Channels& stored,
+                      Channels& result) {
+  for (std::size_t p = 0; p < before.front().size(); ++p) {
+    const bool changed = !sameBits(before[0][p], after[0][p]) ||
+                         !sameBits(before[1][p], after[1][p]) ||
+                         !sameBits(before[2][p], after[2][p]);
+    if (changed) continue;
+    for (std::size_t c = 0; c < 3; ++c)
+      result[c][p] = stored[c][p];
+  }
+}
+
+class TextureEditor {
+ public:
+  TextureEditor(const Source& source, const ChromophoreMaps& maps, const EditStack& edits,
+                const ParameterAxes& axes, const ResponseModel& albedo,
+                const EditedTextureOptions& options)
+      : source_(source),
+        maps_(maps),
+        edits_(edits),
+        axes_(axes),
+        albedo_(albedo),
+        pure_(options.pure),
+        exposure_(options.pure ? static_cast<float>(options.exposure) : 1.0f),
+        sameSpace_(source.image && source.colorSpace == options.colorSpace) {}
+
+  Status prepare(const std::string& space) {
+    CUTIS_TRY(from, fromLinearRec709(space, "--colorspace"));
+    fromLinear_ = std::move(from);
+    if (!source_.image) return {};
+    CUTIS_TRY(to, toLinearRec709(source_.colorSpace, source_.name));
+    toLinear_ = std::move(to);
+    for (std::size_t c = 0; c < 3; ++c) {
+      constexpr std::array<const char*, 3> names = {"R", "G", "B"};
+      const int index = source_.image->channelIndex(names[c]);
+      stored_.push_back(source_.image->channels[static_cast<std::size_t>(index)]);
+    }
+    return {};
+  }
+
+  Status editTile(const Rect& rect, std::vector<Plane>& edited) const {
+    Channels stored;
+    CUTIS_TRY(linear, load(rect, stored));
+    multiply(exposure_, linear);
+    PictureBuffer part;
+    part.channels = linear;
+    CUTIS_TRY(changed,
+              editAlbedoPart(std::move(part), maps_, edits_, axes_, albedo_, pure_, rect, 1));
+    Channels result = changed.channels;
+    multiply(1.0f / exposure_, result);
+    CUTIS_CHECK(convert(fromLinear_, result));
+    if (sameSpace_) restoreUnchanged(linear, changed.channels, stored, result);
+    for (std::size_t c = 0; c < 3; ++c)
+      CUTIS_CHECK(edited[c].store(rect, result[c]));
+    return {};
+  }
+
+ private:
+  // Linear Rec.709, and what the file holds.
+  Result<Channels> load(const Rect& rect, Channels& stored) const {
+    if (!source_.image) {
+      CUTIS_TRY(photographed, photographPart(source_, rect, 1));
+      return std::move(photographed.channels);
+    }
+    stored.assign(3, std::vector<float>(rect.pixelCount()));
+    for (std::size_t c = 0; c < 3; ++c)
+      CUTIS_CHECK(stored_[c].load(rect, stored[c]));
+    Channels linear = stored;
+    CUTIS_CHECK(convert(toLinear_, linear));
+    return linear;
+  }
+
+  const Source& source_;
+  const ChromophoreMaps& maps_;
+  const EditStack& edits_;
+  const ParameterAxes& axes_;
+  const ResponseModel& albedo_;
+  const bool pure_;
+  const float exposure_;
+  const bool sameSpace_;
+  ColorConverter toLinear_;
+  ColorConverter fromLinear_;
+  std::vector<Plane> stored_;
+};
+
+// All channels of the source, the three colours replaced.
+ImageContent contentOf(const Source& source, const std::vector<Plane>& edited,
+                       const std::string& space) {
+  ImageContent content;
+  content.colorSpace = space;
+  content.metadata = source.metadata;
+  content.channelNames = {"R", "G", "B"};
+  content.channels = edited;
+  if (!source.image) return content;
+  content.keepColorProfile = source.colorSpace == space && source.metadata.hasColorProfile();
+  content.channelNames = source.image->channelNames;
+  content.channels = source.image->channels;
+  for (std::size_t c = 0; c < 3; ++c) {
+    constexpr std::array<const char*, 3> names = {"R", "G", "B"};
+    content.channels[static_cast<std::size_t>(source.image->channelIndex(names[c]))] = edited[c];
+  }
+  return content;
+}
+
+}  // namespace
+
+Result<ImageContent> editedTexture(const Source& source, const ChromophoreMaps& maps,
+                                   const EditStack& edits, const ParameterAxes& axes,
+                                   const ResponseModel& albedo, const EditedTextureOptions& options,
+                                   const std::shared_ptr<TileStore>& store,
+                                   const JobContext& context) {
+  TextureEditor editor(source, maps, edits, axes, albedo, options);
+  CUTIS_CHECK(editor.prepare(options.colorSpace));
+  std::vector<Plane> edited;
+  for (int c = 0; c < 3; ++c) {
+    edited.emplace_back(maps.width(), maps.height(), PixelFormat::float32, store);
+  }
+  CUTIS_CHECK(
+      parallelFor(static_cast<std::size_t>(maps.state.tileCount()), context, [&](std::size_t i) {
+        return editor.editTile(maps.state.tileRect(static_cast<int>(i)), edited);
+      }));
+  return contentOf(source, edited, options.colorSpace);
+}
+
+}  // namespace cutis

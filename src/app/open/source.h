@@ -1,0 +1,67 @@
+#pragma once
+
+// What people open: photographs of a subject under known lights, an albedo texture, or the embedded
+// sample; made ready to be fitted and to be looked at.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "core/rig/measurements.h"
+#include "core/skin/model/measurement_geometry.h"
+#include "core/skin/model/skin_model.h"
+#include "src/images/image_file.h"
+#include "src/images/source_reference.h"
+
+namespace cutis {
+
+struct SourceOptions {
+  std::string rig;                  // name or path; empty: the capture's own, or `albedo`
+  std::vector<std::string> lights;  // of a capture; empty: all
+  std::filesystem::path mask;       // empty: the capture's own, if any
+  // Of an albedo texture:
+  std::string colorSpace;  // empty: what the file says, see src/images/capture/albedo_file.h
+  double exposure = 1.0;   // multiplies the linear values
+  // How the photographs of a capture see the skin: the surface's reflection is taken off them
+  // (core/rig/surface_reflection.h). An albedo texture has none.
+  MeasurementGeometry surface;
+};
+
+struct Source {
+  std::string name;  // of the file or folder, for titles
+  Measurements measurements;
+  // All channels of an albedo texture as they stand in the file; nothing for photographs.
+  std::optional<Image> image;
+  std::string colorSpace;       // of the image: canonical name
+  double exposure = 1.0;        // the measurements are the image times this
+  MeasurementGeometry surface;  // that was taken off the photographs
+  ImageMetadata metadata;
+  std::vector<SourceReference> references;
+  // First light's three channels to linear Rec.709 of the same skin under D65. Exact for an
+  // observer under D65; for a camera the least-squares matrix over skin of the model, with the
+  // perfect diffuser kept white.
+  Eigen::Matrix3d toRec709 = Eigen::Matrix3d::Identity();
+};
+
+// A capture's folder or capture.json, or an image. Errors are sentences about the file.
+Result<Source> openSource(const std::filesystem::path& path, const SourceOptions& options,
+                          const SkinModel& model, const std::shared_ptr<TileStore>& store,
+                          const JobContext& context);
+
+// The embedded sample: simulated skin, photographed through the rig `monitor`. About 0.3 s.
+Result<Source> openSample(const SkinModel& model, const std::shared_ptr<TileStore>& store,
+                          const JobContext& context);
+
+// Linear Rec.709 of the source under D65 as it was photographed, three planes; the exposure is not
+// part of it. Of an albedo texture these are its own pixels.
+Result<std::vector<Plane>> sourcePicture(const Source& source,
+                                         const std::shared_ptr<TileStore>& store,
+                                         const JobContext& context);
+
+}  // namespace cutis

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/result.h"
+#include "src/cli/commands/bench/bench_figures.h"
+
+namespace cutis {
+
+// All figures as JSON, for scripts. Errors: the file cannot be written.
+Status writeBenchReport(const std::filesystem::path& path, const BenchFigures& figures);
+
+}  // namespace cutis

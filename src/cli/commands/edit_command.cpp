@@ -1,0 +1,63 @@
+// edit: maps to maps.
+
+#include "core/render/render_picture.h"
+#include "src/cli/command.h"
+#include "src/cli/commands/maps_input.h"
+#include "src/cli/options/edit_options.h"
+#include "src/cli/output_check.h"
+
+namespace cutis {
+namespace {
+
+struct EditCommand {
+  std::string maps;
+  std::string output;
+  std::string profile;
+  EditArguments edit;
+};
+
+// What was said of the original values does not hold for edited ones.
+void dropEstimates(MapsFile& file, const JobContext& context) {
+  if (file.deviations.empty() && file.residuals.empty()) return;
+  context.say("deviations and residuals describe the original and are left out of the edited maps");
+  file.deviations.clear();
+  file.constantDeviations.clear();
+  file.residuals.clear();
+  file.residualNames.clear();
+}
+
+Status runEditCommand(const EditCommand& command, Session& session) {
+  CUTIS_TRY(edit, parseEdit(command.edit));
+  CUTIS_CHECK(checkMapsOutput(command.output, {command.maps, command.edit.mask, command.profile}));
+  const JobContext& context = session.context;
+  CUTIS_TRY(opened,
+            openMaps(command.maps, command.profile, session, context.child(0.0, 0.4, "reading")));
+  MapsFile& file = opened.file;
+  CUTIS_CHECK(loadEditMask(command.edit, file.maps.width(), file.maps.height(), command.maps,
+                           session.store, context.child(0.4, 0.45), edit));
+  if (!edit.isNeutral()) {
+    CUTIS_TRY(edited, editMaps(file.maps, {edit}, opened.model->profile().axes, session.store,
+                               context.child(0.45, 0.6, "editing")));
+    file.maps = std::move(edited);
+    dropEstimates(file, context);
+  }
+  return writeMaps(command.output, file, context.child(0.6, 1.0, "writing"));
+}
+
+}  // namespace
+
+void addEditCommand(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<EditCommand>();
+  CLI::App& command = addCommand(app, invocation, "edit", "Change maps and write them as new maps",
+                                 options, runEditCommand);
+  command.add_option("MAPS", options->maps, "Maps to edit, as written by fit")
+      ->required()
+      ->type_name("");
+  command.add_option("-o,--output", options->output, "Maps to write, an OpenEXR file (.exr)")
+      ->required()
+      ->type_name("MAPS");
+  addMapsProfileOption(command, options->profile);
+  addEditOptions(command, options->edit);
+}
+
+}  // namespace cutis

@@ -1,0 +1,48 @@
+// info: what a file is, or what the program has and runs on.
+
+#include <cstdio>
+
+#include "src/cli/command.h"
+#include "src/cli/commands/info/info_file.h"
+#include "src/cli/commands/info/info_system.h"
+
+namespace cutis {
+namespace {
+
+struct InfoCommand {
+  std::string file;
+  bool system = false;
+};
+
+Status runInfoCommand(const InfoCommand& command, Session& session) {
+  if (command.system != command.file.empty()) {
+    return usageError("info", "name a file or give --system, and not both");
+  }
+  std::string text = describeSystem();
+  if (!command.system) {
+    CUTIS_TRY(description, describeFile(command.file, session));
+    text = description;
+  }
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
+    return {};
+  }
+  return resourceError("standard output", "it cannot be written to");
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<InfoCommand>();
+  CLI::App& command =
+      addCommand(app, invocation, "info", "What a file is, or what this program has and runs on",
+                 options, runInfoCommand);
+  command
+      .add_option("FILE", options->file,
+                  "Image, maps, capture, rig, profile, recipe or cached table")
+      ->type_name("");
+  command.add_flag("--system", options->system,
+                   "Version, machine, and the built-in profiles, rigs, lights, observers and "
+                   "cameras");
+}
+
+}  // namespace cutis

@@ -1,0 +1,230 @@
+#include "src/cli/commands/info/info_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "src/files/io/csv.h"
+#include "src/files/io/json_file.h"
+#include "src/files/profiles/profile_file.h"
+#include "src/files/recipe_file.h"
+#include "src/files/rig_file.h"
+#include "src/images/capture/capture_file.h"
+#include "src/images/image_file.h"
+#include "src/images/maps/maps_file.h"
+
+namespace cutis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kTableMark = "CUTIS TABLE 1\n";
+
+std::string line(const std::string& name, const std::string& value) {
+  return value.empty() ? "" : name + ": " + value + "\n";
+}
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " × " + std::to_string(height);
+}
+
+template <typename Names>
+std::string listOf(const Names& names) {
+  std::string list;
+  for (const auto& name : names)
+    list += (list.empty() ? "" : ", ") + std::string(name);
+  return list;
+}
+
+std::vector<std::string> lightsOf(const Rig& rig) {
+  std::vector<std::string> names;
+  for (const RigLight& light : rig.lights)
+    names.push_back(light.name);
+  return names;
+}
+
+constexpr std::array<const char*, 5> kStateNames = {"solved", "masked", "invalid", "saturated",
+                                                    "no convergence"};
+using StateCounts = std::array<std::size_t, kStateNames.size()>;
+
+std::string statesText(const StateCounts& counts) {
+  std::string text;
+  for (std::size_t s = 0; s < counts.size(); ++s) {
+    if (counts[s] == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(counts[s]) + " " + kStateNames[s];
+  }
+  return text;
+}
+
+// Counts the states; if wanted, collects a value of the pixels that have an estimate.
+Result<StateCounts> countStates(const Plane& state, const Plane* values,
+                                std::vector<float>* estimates) {
+  StateCounts counts = {};
+  for (int t = 0; t < state.tileCount(); ++t) {
+    const Rect rect = state.tileRect(t);
+    std::vector<float> states(rect.pixelCount()), pixels(rect.pixelCount());
+    CUTIS_CHECK(state.load(rect, states));
+    if (values != nullptr) CUTIS_CHECK(values->load(rect, pixels));
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const auto s = static_cast<std::size_t>(states[i]);
+      if (s < counts.size()) ++counts[s];
+      const bool estimated = s == 0 || s == static_cast<std::size_t>(PixelState::noConvergence);
+      if (estimated && estimates != nullptr) estimates->push_back(pixels[i]);
+    }
+  }
+  return counts;
+}
+
+float quantile(std::vector<float>& values, double share) {
+  const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+Result<std::string> valuesText(const ChromophoreMaps& maps, const Plane& plane) {
+  std::vector<float> values;
+  CUTIS_CHECK(countStates(maps.state, &plane, &values));
+  if (values.empty()) return std::string();
+  const auto number = [&](double share) {
+    return formatNumber(static_cast<double>(quantile(values, share)), 4);
+  };
+  const std::string median = number(0.5);
+  return "median " + median + ", 5–95 % " + number(0.05) + " to " + number(0.95);
+}
+
+Result<std::string> describeMaps(const std::string& path, const Session& session) {
+  CUTIS_TRY(file, readMaps(path, PixelFormat::float32, session.store, session.context));
+  const MapsAttributes& attributes = file.attributes;
+  std::string text = line("kind", "chromophore maps");
+  text += line("size", sizeText(file.maps.width(), file.maps.height()));
+  text += line("profile", attributes.profileName +
+                              (attributes.profileJson.empty() ? " (not carried by the file)" : ""));
+  text += line("rig", attributes.rigName);
+  text += line("method", attributes.method);
+  text += line("exposure", formatNumber(attributes.exposure));
+  if (attributes.specularShare > 0.0)
+    text += line("surface taken off", formatNumber(attributes.specularShare, 4));
+  text += line("source colour space", attributes.sourceColorSpace);
+  for (const SourceReference& source : attributes.sources) {
+    text += line("source", source.file + " (" + source.hash + ")");
+  }
+  std::vector<std::string> further;
+  if (!file.deviations.empty()) further.emplace_back("deviation");
+  if (!file.residuals.empty()) further.emplace_back("residual");
+  if (!file.shading.empty()) further.emplace_back("shading");
+  if (file.maps.free().count() > 0) further.emplace_back("constants");
+  if (!file.constantDeviations.empty()) further.emplace_back("constants_deviation");
+  text += line("further parts", listOf(further));
+  CUTIS_TRY(counts, countStates(file.maps.state, nullptr, nullptr));
+  text += line("pixels", statesText(counts));
+  for (const Parameter parameter : kParameters) {
+    CUTIS_TRY(values, valuesText(file.maps, file.maps.values[parameter]));
+    text += line(std::string(parameterName(parameter)), values);
+  }
+  for (const SkinConstant constant : kSkinConstants) {
+    if (!file.maps.free().has(constant)) continue;
+    CUTIS_TRY(values, valuesText(file.maps, file.maps.constants[constant]));
+    text += line(std::string(constantName(constant)), values);
+  }
+  return text;
+}
+
+Result<std::string> describeCapture(const std::string& path, const Session& session) {
+  CUTIS_TRY(capture, readCapture(path, {}, session.store, session.context));
+  const Measurements& measurements = capture.measurements;
+  std::string text = line("kind", "capture");
+  text += line("size", sizeText(measurements.width(), measurements.height()));
+  text += line("rig", measurements.rig.name);
+  text += line("camera", measurements.rig.camera.name);
+  for (std::size_t k = 0; k < capture.sources.size(); ++k) {
+    text += line("light " + measurements.rig.lights[k].name, capture.sources[k].file);
+  }
+  CUTIS_TRY(counts, countStates(measurements.state, nullptr, nullptr));
+  std::string states = statesText(counts);
+  if (states.find("solved") != std::string::npos) {
+    states.replace(states.find("solved"), 6, "to solve");
+  }
+  return text + line("pixels", states);
+}
+
+Result<std::string> describeImage(const std::string& path, const Session& session) {
+  CUTIS_TRY(header, readImageHeader(path, session.context));
+  std::string text = line("kind", "image");
+  text += line("size", sizeText(header.width, header.height));
+  text += line("channels", listOf(header.channelNames));
+  text += line("samples", sampleTypeName(header.sourceType));
+  text +=
+      line("colour space", header.colorSpace.empty() ? "not told by the file" : header.colorSpace);
+  text += line("colour profile", header.metadata.hasColorProfile() ? "embedded" : "");
+  for (const char* name : {"Make", "Model", "DateTime", "ImageDescription", "Copyright"}) {
+    text += line(name, header.metadata.text(name).value_or(""));
+  }
+  return text;
+}
+
+std::string describeRig(const Rig& rig) {
+  return line("kind", "rig") + line("name", rig.name) + line("camera", rig.camera.name) +
+         line("lights", listOf(lightsOf(rig))) +
+         line("noise", formatNumber(rig.noise.read) + " constant, " +
+                           formatNumber(rig.noise.proportional) + " proportional");
+}
+
+std::string describeProfile(const Profile& profile) {
+  std::string text = line("kind", "profile of skin") + line("name", profile.name) +
+                     line("description", profile.description);
+  for (const Parameter parameter : kParameters) {
+    text += line(std::string(parameterName(parameter)),
+                 "0 to " + formatNumber(profile.axes[parameter].maximum));
+  }
+  return text;
+}
+
+Result<std::string> describeJson(const std::string& path, const Session& session) {
+  CUTIS_TRY(root, readJson(path));
+  if (root.has("cutis_capture")) return describeCapture(path, session);
+  // A name without a folder could be a built-in one.
+  const std::string file = fs::absolute(path).string();
+  if (root.has("cutis_rig")) {
+    CUTIS_TRY(rig, loadRig(file, {}, path));
+    return describeRig(rig);
+  }
+  if (root.has("cutis_profile")) {
+    CUTIS_TRY(profile, loadProfile(file, path));
+    return describeProfile(profile);
+  }
+  if (root.has("cutis_recipe")) {
+    CUTIS_TRY(recipe, loadRecipe(file, path));
+    return line("kind", "recipe of a skin patch") +
+           line("size", sizeText(recipe.width, recipe.height)) +
+           line("seed", std::to_string(recipe.seed));
+  }
+  return inputError(path,
+                    "this is no capture, rig, profile or recipe; such a file begins with "
+                    "\"cutis_capture\", \"cutis_rig\", \"cutis_profile\" or "
+                    "\"cutis_recipe\"");
+}
+
+bool isTable(const std::string& path) {
+  std::string mark(kTableMark.size(), '\0');
+  std::ifstream stream(path, std::ios::binary);
+  return stream.read(mark.data(), static_cast<std::streamsize>(mark.size())) && mark == kTableMark;
+}
+
+}  // namespace
+
+Result<std::string> describeFile(const std::string& path, const Session& session) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return describeCapture(path, session);
+  if (looksLikeCapture(path)) return describeJson(path, session);
+  if (isTable(path)) {
+    return line("kind", "cached table of skin; it can be deleted and is then built again") +
+           line("bytes", std::to_string(fs::file_size(path, ignored)));
+  }
+  if (isMapsFile(path)) return describeMaps(path, session);
+  return describeImage(path, session);
+}
+
+}  // namespace cutis

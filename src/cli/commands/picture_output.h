@@ -1,0 +1,25 @@
+#pragma once
+
+// Pictures on their way into a file: from linear values to what the file is to hold.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/job_context.h"
+#include "core/base/plane.h"
+#include "core/base/result.h"
+#include "src/images/codec/sample_type.h"
+
+namespace cutis {
+
+// The canonical name of the space a picture is written in: what was asked for with --colorspace,
+// else sRGB for integers and Linear Rec.709 for floats.
+Result<std::string> outputSpace(const std::string& asked, SampleType type);
+
+// Linear Rec.709 to the space, three planes, or one that is taken as grey; new planes.
+Result<std::vector<Plane>> encodePicture(const std::vector<Plane>& linear, const std::string& space,
+                                         const std::shared_ptr<TileStore>& store,
+                                         const JobContext& context);
+
+}  // namespace cutis

@@ -1,0 +1,133 @@
+// render: maps to a picture of the skin under a light, or of a band.
+
+#include "core/render/render_picture.h"
+#include "src/cli/command.h"
+#include "src/cli/commands/maps_input.h"
+#include "src/cli/commands/picture_output.h"
+#include "src/cli/output_check.h"
+#include "src/files/spectral_library.h"
+#include "src/images/image_file.h"
+
+namespace cutis {
+namespace {
+
+struct RenderCommand {
+  std::string maps;
+  std::string output;
+  std::string profile;
+  std::string light;
+  std::string observer;
+  std::string band;
+  std::string colorSpace;
+  std::string adaptation;
+  std::string bitDepth;
+};
+
+Result<ChromaticAdaptation> adaptationNamed(const std::string& name) {
+  if (name.empty() || name == "none") return ChromaticAdaptation::none;
+  if (name == "bradford") return ChromaticAdaptation::bradford;
+  if (name == "cat16") return ChromaticAdaptation::cat16;
+  return usageError("--adapt", "'" + name + "' is unknown; choose none, bradford or cat16");
+}
+
+Status refuse(const std::string& option, const std::string& value, const char* reason) {
+  return value.empty() ? Status() : usageError(option, reason);
+}
+
+Result<PictureRequest> bandRequest(const RenderCommand& command) {
+  constexpr char reason[] = "a band is seen in flat light by a flat sensor; leave this out";
+  CUTIS_CHECK(refuse("--light", command.light, reason));
+  CUTIS_CHECK(refuse("--observer", command.observer, reason));
+  CUTIS_CHECK(refuse("--adapt", command.adaptation, reason));
+  CUTIS_CHECK(refuse("--colorspace", command.colorSpace,
+                     "a band is one channel without colour; leave this out"));
+  PictureRequest request;
+  CUTIS_TRY(band, parseBand(command.band, "--band"));
+  request.band = band;
+  return request;
+}
+
+struct Picture {
+  PictureRequest request;
+  bool isColor = true;  // of an observer, in a colour space
+};
+
+Result<Picture> pictureOf(const RenderCommand& command) {
+  if (!command.band.empty()) {
+    CUTIS_TRY(request, bandRequest(command));
+    return Picture{request, false};
+  }
+  Picture picture;
+  if (!command.light.empty()) picture.request.light = command.light;
+  if (!command.observer.empty()) picture.request.observer = command.observer;
+  CUTIS_TRY(adaptation, adaptationNamed(command.adaptation));
+  picture.request.adaptation = adaptation;
+  CUTIS_CHECK(loadLight({picture.request.light, {}, "--light"}));
+  CUTIS_TRY(eyes, loadCamera({picture.request.observer, {}, "--observer"}));
+  picture.isColor = eyes.isObserver;
+  if (eyes.isObserver) return picture;
+  constexpr char reason[] = "a camera's own channels are in no colour space; leave this out";
+  CUTIS_CHECK(refuse("--colorspace", command.colorSpace, reason));
+  CUTIS_CHECK(refuse("--adapt", command.adaptation, reason));
+  return picture;
+}
+
+Status runRenderCommand(const RenderCommand& command, Session& session) {
+  CUTIS_TRY(picture, pictureOf(command));
+  CUTIS_TRY(type,
+            imageOutputType(command.output, command.bitDepth,
+                            {command.maps, command.profile, command.light, command.observer}));
+  CUTIS_TRY(space, outputSpace(command.colorSpace, type));
+  const JobContext& context = session.context;
+  CUTIS_TRY(opened,
+            openMaps(command.maps, command.profile, session, context.child(0.0, 0.35, "reading")));
+  const std::string place = picture.request.band ? "--band" : "--light";
+  CUTIS_TRY(response,
+            session.engine.picture(opened.model, picture.request, place, opened.file.maps.free(),
+                                   context.child(0.35, 0.4, "preparing")));
+  CUTIS_TRY(linear, renderPicture(opened.file.maps, {}, opened.model->profile().axes, *response,
+                                  session.store, context.child(0.4, 0.6, "rendering")));
+  CUTIS_TRY(encoded, encodePicture(linear, space, session.store, context.child(0.6, 0.7)));
+  ImageContent content;
+  content.channelNames =
+      encoded.size() == 1 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
+  content.channels = encoded;
+  content.colorSpace = picture.isColor ? space : "";
+  content.metadata = opened.file.metadata;
+  return writeImage(command.output, content, type, context.child(0.7, 1.0, "writing"));
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<RenderCommand>();
+  CLI::App& command =
+      addCommand(app, invocation, "render",
+                 "Picture of maps under a light, or of a band; a perfect diffuser is 1", options,
+                 runRenderCommand);
+  const auto option = [&](const char* name, std::string& value, const char* type,
+                          const char* text) {
+    command.add_option(name, value, text)->type_name(type);
+  };
+  command.add_option("MAPS", options->maps, "Maps to render")->required()->type_name("");
+  command.add_option("-o,--output", options->output, "Image to write: .exr, .tif, .png or .jpg")
+      ->required()
+      ->type_name("IMAGE");
+  option("--light", options->light, "NAME|FILE",
+         "Light: a built-in name, see 'cutis-cli info --system', or a CSV file (default: D65)");
+  option("--observer", options->observer, "NAME|FILE",
+         "Observer or camera: a built-in name or a CSV file (default: cie1931); a camera gives its "
+         "own channels");
+  option("--band", options->band, "uv|nir|A:B",
+         "Instead of colour one channel, the mean reflectance from A to B nm; uv is 300:400, nir "
+         "700:1000; linear in floats, with the sRGB curve in integers");
+  option("--colorspace", options->colorSpace, "NAME",
+         "Colour space to write (default: Linear Rec.709 in floats, sRGB in integers)");
+  option("--adapt", options->adaptation, "none|bradford|cat16",
+         "Chromatic adaptation from the light's white to D65 (default: none)");
+  option("--bit-depth", options->bitDepth, "half|float|8|16",
+         "Samples (default: half in EXR, 16 in TIFF, 8 in PNG and JPEG)");
+  addMapsProfileOption(command, options->profile);
+}
+
+}  // namespace cutis

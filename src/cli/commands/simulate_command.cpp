@@ -1,0 +1,166 @@
+// simulate: photographs of known skin.
+
+#include "core/base/parallel.h"
+#include "core/simulate/photograph.h"
+#include "core/simulate/skin_patch.h"
+#include "src/cli/command.h"
+#include "src/cli/commands/maps_input.h"
+#include "src/cli/options/option_values.h"
+#include "src/cli/output_check.h"
+#include "src/files/profiles/profile_file.h"
+#include "src/files/recipe_file.h"
+#include "src/files/rig_file.h"
+#include "src/images/capture/capture_file.h"
+
+namespace cutis {
+namespace {
+
+constexpr char kDefaultRig[] = "monitor";
+constexpr char kGroundTruthFile[] = "maps.exr";
+constexpr double kMostNoise = 1.0;
+// Below this the steps of a half would be part of the noise.
+constexpr double kLeastNoiseInHalf = 0.002;
+
+struct SimulateCommand {
+  std::string maps;
+  std::string patch;
+  std::string recipe;
+  std::string rig;
+  std::string noise;
+  std::string seed;
+  std::string profile;
+  std::string output;
+};
+
+struct Subject {
+  std::shared_ptr<const SkinModel> model;
+  ChromophoreMaps maps;
+  std::uint64_t seed = 1;
+  std::optional<MapsFile> groundTruth;  // written beside the photographs
+  ImageMetadata metadata;
+};
+
+Result<Subject> patchOf(const SimulateCommand& command, const Rig& rig, Session& session) {
+  CUTIS_TRY(size, pixelSize("--patch", command.patch, kLargestPatch));
+  CUTIS_TRY(recipe,
+            loadRecipe(command.recipe.empty() ? kSampleRecipe : command.recipe, "--recipe"));
+  const std::string profile = command.profile.empty() ? kDefaultProfile : command.profile;
+  CUTIS_TRY(model, session.engine.model(profile, "--profile"));
+  CUTIS_TRY(profileJson, profileText(profile, "--profile"));
+  Subject subject;
+  subject.model = model;
+  subject.seed = recipe.seed;
+  if (!command.seed.empty()) {
+    CUTIS_TRY(seed, seedNumber("--seed", command.seed));
+    subject.seed = seed;
+  }
+  CUTIS_TRY(skin,
+            simulateSkin(recipe.skin, size.width, size.height, subject.seed, model->profile().axes,
+                         session.store, session.context.child(0.0, 0.3, "painting skin")));
+  subject.maps = skin.maps;
+  MapsFile truth;
+  truth.maps = skin.maps;
+  truth.attributes.profileName = model->profile().name;
+  truth.attributes.profileJson = profileJson;
+  truth.attributes.rigName = rig.name;
+  truth.attributes.method = "ground truth";
+  subject.groundTruth = std::move(truth);
+  return subject;
+}
+
+Result<Subject> mapsOf(const SimulateCommand& command, Session& session) {
+  if (!command.recipe.empty()) {
+    return usageError("--recipe", "a recipe is for --patch; leave it out with maps");
+  }
+  Subject subject;
+  if (!command.seed.empty()) {
+    CUTIS_TRY(seed, seedNumber("--seed", command.seed));
+    subject.seed = seed;
+  }
+  CUTIS_TRY(opened, openMaps(command.maps, command.profile, session,
+                             session.context.child(0.0, 0.3, "reading")));
+  subject.model = opened.model;
+  subject.maps = opened.file.maps;
+  subject.metadata = opened.file.metadata;
+  return subject;
+}
+
+Result<Plane> maskOf(const Measurements& measurements, const JobContext& context) {
+  const Plane& state = measurements.state;
+  Plane mask(state.width(), state.height(), PixelFormat::half);
+  CUTIS_CHECK(parallelFor(static_cast<std::size_t>(state.tileCount()), context,
+                          [&](std::size_t i) -> Status {
+                            const Rect rect = state.tileRect(static_cast<int>(i));
+                            std::vector<float> values(rect.pixelCount());
+                            CUTIS_CHECK(state.load(rect, values));
+                            for (float& value : values)
+                              value = value == 0.0f ? 1.0f : 0.0f;
+                            return mask.store(rect, values);
+                          }));
+  return mask;
+}
+
+Result<double> noiseOf(const SimulateCommand& command, const Rig& rig) {
+  if (command.noise.empty()) return rig.noise.proportional;
+  return realNumber("--noise", command.noise, 0.0, kMostNoise);
+}
+
+Status runSimulateCommand(const SimulateCommand& command, Session& session) {
+  if (command.maps.empty() == command.patch.empty()) {
+    return usageError("simulate", "name maps or give --patch WIDTHxHEIGHT, and not both");
+  }
+  CUTIS_CHECK(checkNotInput(command.output, {command.maps, command.recipe, command.rig}));
+  CUTIS_CHECK(checkCaptureFolder(command.output));
+  CUTIS_TRY(rig, loadRig(command.rig.empty() ? kDefaultRig : command.rig, {}, "--rig"));
+  CUTIS_TRY(noise, noiseOf(command, rig));
+  CUTIS_TRY(subject,
+            command.maps.empty() ? patchOf(command, rig, session) : mapsOf(command, session));
+  const JobContext& context = session.context;
+  CUTIS_TRY(photographs, photograph(subject.maps, *subject.model, rig, noise, subject.seed,
+                                    context.child(0.3, 0.6, "photographing")));
+  CaptureWriteOptions options;
+  options.rig = command.rig.empty() ? kDefaultRig : command.rig;
+  options.sampleType = noise < kLeastNoiseInHalf ? SampleType::float32 : SampleType::half;
+  CUTIS_TRY(mask, maskOf(photographs, context.child(0.6, 0.62)));
+  options.mask = mask;
+  options.metadata = subject.metadata;
+  const JobContext writing = context.child(0.62, 1.0, "writing");
+  options.extra = [&](const std::filesystem::path& folder) -> Status {
+    if (!subject.groundTruth) return {};
+    return writeMaps(folder / kGroundTruthFile, *subject.groundTruth, writing.child(0.9, 1.0));
+  };
+  return writeCapture(command.output, photographs, options, writing.child(0.0, 0.9));
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<SimulateCommand>();
+  CLI::App& command = addCommand(app, invocation, "simulate",
+                                 "Photographs of known skin through a rig, as a capture", options,
+                                 runSimulateCommand);
+  const auto option = [&](const char* name, std::string& value, const char* type,
+                          const char* text) {
+    command.add_option(name, value, text)->type_name(type);
+  };
+  command.add_option("MAPS", options->maps, "Maps of the skin to photograph")->type_name("");
+  option("--patch", options->patch, "WxH",
+         "Instead of maps a procedural patch of this many pixels, up to 8192 a side; its true maps "
+         "are written as maps.exr beside the photographs");
+  option("--recipe", options->recipe, "NAME|FILE",
+         "What the patch looks like: sample or a JSON file (default: sample)");
+  option("--rig", options->rig, "NAME|FILE",
+         "Camera and lights: a built-in name or a JSON file (default: monitor)");
+  option("--noise", options->noise, "PROP",
+         "Proportional standard deviation of a channel, from 0 to 1 (default: the rig's, 0.005 for "
+         "the built-in ones); below 0.002 the files are float, else half");
+  option("--seed", options->seed, "N",
+         "Another number gives other noise and another patch (default: 1, or the recipe's)");
+  option("--profile", options->profile, "NAME|FILE",
+         "Skin model: a built-in name or a JSON file (default: skin2026; maps carry their own)");
+  command.add_option("-o,--output", options->output, "Folder of the capture to write")
+      ->required()
+      ->type_name("FOLDER");
+}
+
+}  // namespace cutis

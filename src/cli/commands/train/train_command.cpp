@@ -1,0 +1,124 @@
+// train: the networks of a rig and a profile.
+
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/app/training/network_errors.h"
+#include "src/app/training/network_training.h"
+#include "src/cli/command.h"
+#include "src/cli/commands/train/train_plot.h"
+#include "src/cli/commands/train/train_report.h"
+#include "src/cli/commands/train/train_sizes.h"
+#include "src/cli/commands/train/training_keeper.h"
+#include "src/cli/options/train_options.h"
+#include "src/cli/output_check.h"
+#include "src/report/picture_file.h"
+
+namespace cutis {
+namespace {
+
+struct TrainCommand {
+  TrainOptions options;
+  std::string output;
+  std::string state;
+  std::string plot;
+  std::string sizes;
+};
+
+// A comparison of sizes prints its table and writes nothing.
+Status checkComparison(const TrainCommand& command) {
+  for (const auto& [option, value] : {std::pair{"--output", command.output},
+                                      {"--state", command.state},
+                                      {"--plot", command.plot}}) {
+    if (!value.empty()) {
+      return usageError(option, "--sizes prints a table and writes no file; leave one of them out");
+    }
+  }
+  return checkSizes(command.sizes);
+}
+
+Status checkOutputs(const TrainCommand& command) {
+  if (!command.sizes.empty()) return checkComparison(command);
+  if (command.output.empty())
+    return usageError("train", "-o is required; name the weights to write");
+  const std::vector<std::string> inputs = {command.options.rig, command.options.profile};
+  CUTIS_CHECK(checkTextOutput(command.output, inputs));
+  CUTIS_CHECK(checkDistinct(command.state, command.output));
+  CUTIS_CHECK(checkDistinct(command.plot, command.output));
+  CUTIS_CHECK(checkDistinct(command.plot, command.state));
+  if (!command.state.empty()) CUTIS_CHECK(checkTextOutput(command.state, inputs));
+  if (command.plot.empty()) return {};
+  CUTIS_CHECK(checkNotInput(command.plot, inputs));
+  return checkDrawingOutput(command.plot);
+}
+
+Result<TrainedNetworks> train(const SkinModel& model, const Rig& rig,
+                              const NetworkTraining& training, TrainingKeeper& keeper,
+                              const JobContext& context) {
+  CUTIS_TRY(state, keeper.load());
+  auto trained = trainNetworks(model, rig, training, state, context,
+                               [&](const NetworkEpoch&) { keeper.keep(state, context); });
+  if (trained.cancelled()) CUTIS_CHECK(keeper.save(state));
+  if (trained.failed()) return keeper.explained(trained.failure());
+  return trained;
+}
+
+Status print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
+    return {};
+  }
+  return resourceError("standard output", "the tables could not be written");
+}
+
+Status runTrainCommand(const TrainCommand& command, Session& session) {
+  CUTIS_CHECK(checkOutputs(command));
+  CUTIS_TRY(rig, trainedRig(command.options));
+  CUTIS_TRY(training, trainingOf(command.options, rig.noise));
+  CUTIS_TRY(model, session.engine.model(command.options.profile, "--profile"));
+  if (!command.sizes.empty()) {
+    CUTIS_TRY(table, sizesTable(command.sizes, *model, rig, training, session.context));
+    session.clearProgress();
+    return print(table);
+  }
+  CUTIS_TRY(identity, trainingIdentity(*model, rig, training));
+  TrainingKeeper keeper(command.state, training.command, identity);
+  CUTIS_TRY(trained, train(*model, rig, training, keeper, session.context));
+  CUTIS_TRY(errors, measureNetworks(*model, rig, trained.file, session.context));
+  CUTIS_CHECK(writeNetworks(command.output, trained.file));
+  if (!command.plot.empty()) CUTIS_CHECK(writeDrawing(command.plot, trainPlot(*model, trained)));
+  CUTIS_CHECK(keeper.remove());
+  session.clearProgress();
+  return print(trainReport(trained, errors));
+}
+
+}  // namespace
+
+void addTrainCommand(CLI::App& app, Invocation& invocation) {
+  const auto options = std::make_shared<TrainCommand>();
+  CLI::App& command = addCommand(app, invocation, "train",
+                                 "Train the networks that fit --method network answers with",
+                                 options, runTrainCommand);
+  addTrainOptions(command, options->options);
+  command.add_option("-o,--output", options->output, "Weights to write")->type_name("WEIGHTS.json");
+  command
+      .add_option("--state", options->state,
+                  "Keep the state of the training in this file every few seconds; the same "
+                  "command goes on from it after an interruption, to the same weights; deleted "
+                  "once they are written")
+      ->type_name("STATE.json");
+  command
+      .add_option(
+          "--plot", options->plot,
+          "Picture to draw, .svg or .png: errors by epoch, what principal components leave, "
+          "the components, and a spectrum rebuilt from them")
+      ->type_name("FILE");
+  command
+      .add_option("--sizes", options->sizes,
+                  "Instead of writing weights, train networks with each of these hidden layers and "
+                  "print what they cost and how good they are: \"16,16;default;64,64\"")
+      ->type_name("N,...;...");
+}
+
+}  // namespace cutis

@@ -1,0 +1,61 @@
+#pragma once
+
+// Options of a fit, shared by the commands that fit.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+
+#include "core/base/result.h"
+#include "core/fit/fit_options.h"
+#include "core/skin/profile/profile.h"
+#include "src/app/open/source.h"
+#include "src/cli/options/measurement_options.h"
+#include "src/cli/options/option_values.h"
+
+namespace cutis {
+
+// As they were given; empty: not given.
+struct FitArguments {
+  std::string method;
+  std::string profile;
+  std::string rig;
+  std::string lights;
+  std::string exposure;
+  std::string noise;
+  std::string prior;
+  std::vector<std::string> fixed;
+  bool shading = false;
+  std::string free;
+  std::string weights;
+  MeasurementArguments measurement;
+};
+
+void addFitArguments(CLI::App& command, FitArguments& arguments);
+
+// The first option that was given, "--rig"; empty if none was.
+std::string firstGiven(const FitArguments& arguments);
+
+// What can be said of the arguments before the profile is known.
+struct FitRequest {
+  std::string profile;
+  std::string methodName;
+  SourceOptions source;
+  MeasurementSetting measurement;
+  bool chooseExposure = false;
+  FitOptions options;
+  std::string priorFile;
+  std::vector<Assignment> fixed;
+  std::string weightsFile;
+};
+Result<FitRequest> parseFitArguments(const FitArguments& arguments);
+
+// Adds the prior and the fixed parameters, both checked against the profile, and the network.
+Status completeFitOptions(const FitRequest& request, const Profile& profile, FitOptions& options);
+
+// Files that a fit reads beside its source.
+std::vector<std::string> filesRead(const FitRequest& request);
+
+}  // namespace cutis

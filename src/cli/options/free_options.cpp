@@ -1,0 +1,24 @@
+#include "src/cli/options/free_options.h"
+
+#include "src/cli/options/option_values.h"
+
+namespace cutis {
+
+Result<FreeConstants> freeConstants(const std::string& option, const std::string& text) {
+  FreeConstants free;
+  for (const std::string& name : commaSeparated(text)) {
+    bool* const one = name == "oxygenation" ? &free.oxygenation
+                      : name == "thickness" ? &free.thickness
+                                            : nullptr;
+    if (one == nullptr) {
+      return usageError(option, "'" + name +
+                                    "' cannot be found by a fit; write oxygenation, "
+                                    "thickness or oxygenation,thickness");
+    }
+    if (*one) return usageError(option, "'" + name + "' is there twice; name it once");
+    *one = true;
+  }
+  return free;
+}
+
+}  // namespace cutis

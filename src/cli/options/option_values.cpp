@@ -1,0 +1,127 @@
+#include "src/cli/options/option_values.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "src/files/io/csv.h"
+#include "src/files/io/suggestion.h"
+
+namespace cutis {
+namespace {
+
+std::string quoted(const std::string& text) {
+  return "'" + text + "'";
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string rangeText(double least, double most) {
+  return formatNumber(least) + " to " + formatNumber(most);
+}
+
+template <typename Integer>
+bool parseWhole(const std::string& text, Integer& value) {
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+}  // namespace
+
+Result<double> realNumber(const std::string& option, const std::string& text, double least,
+                          double most) {
+  const auto number = parseNumber(text);
+  if (!number || !std::isfinite(*number)) {
+    return usageError(option,
+                      quoted(text) + " is not a number; give one from " + rangeText(least, most));
+  }
+  if (*number < least || *number > most) {
+    return usageError(option, formatNumber(*number) + " is out of range; give a number from " +
+                                  rangeText(least, most));
+  }
+  return *number;
+}
+
+Result<int> wholeNumber(const std::string& option, const std::string& text, int least, int most) {
+  int number = 0;
+  if (!parseWhole(text, number) || number < least || number > most) {
+    return usageError(option, quoted(text) + " is not a whole number from " +
+                                  std::to_string(least) + " to " + std::to_string(most));
+  }
+  return number;
+}
+
+Result<std::uint64_t> seedNumber(const std::string& option, const std::string& text) {
+  std::uint64_t number = 0;
+  if (!parseWhole(text, number)) {
+    return usageError(option, quoted(text) + " is not a whole number of at most 64 bits");
+  }
+  return number;
+}
+
+std::vector<std::string> commaSeparated(const std::string& text) {
+  std::vector<std::string> fields;
+  if (trimmed(text).empty()) return fields;
+  std::size_t begin = 0;
+  for (;;) {
+    const auto comma = text.find(',', begin);
+    fields.push_back(trimmed(text.substr(begin, comma - begin)));
+    if (comma == std::string::npos) return fields;
+    begin = comma + 1;
+  }
+}
+
+Result<std::vector<double>> realNumbers(const std::string& option, const std::string& text,
+                                        std::size_t count, double least, double most) {
+  const std::vector<std::string> fields = commaSeparated(text);
+  if (fields.size() != count) {
+    return usageError(option, quoted(text) + " must be " + std::to_string(count) +
+                                  " numbers with commas between them");
+  }
+  std::vector<double> numbers;
+  for (const std::string& field : fields) {
+    CUTIS_TRY(number, realNumber(option, field, least, most));
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+Result<PixelSize> pixelSize(const std::string& option, const std::string& text, int most) {
+  const auto cross = text.find('x');
+  PixelSize size;
+  const bool read = cross != std::string::npos && parseWhole(text.substr(0, cross), size.width) &&
+                    parseWhole(text.substr(cross + 1), size.height);
+  const auto fits = [&](int side) { return side >= 1 && side <= most; };
+  if (read && fits(size.width) && fits(size.height)) return size;
+  return usageError(option, quoted(text) +
+                                " is not a size in pixels; write WIDTHxHEIGHT, each from "
+                                "1 to " +
+                                std::to_string(most));
+}
+
+Result<Assignment> assignment(const std::string& option, const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos) {
+    return usageError(option, quoted(text) + " must be NAME=VALUE, such as carotene=0");
+  }
+  const std::string name = trimmed(text.substr(0, equals));
+  const auto parameter = parameterByName(name);
+  if (!parameter) {
+    std::vector<std::string> known;
+    for (const Parameter p : kParameters)
+      known.emplace_back(parameterName(p));
+    return usageError(option,
+                      "unknown parameter " + quoted(name) + "; " + suggestName(name, known));
+  }
+  const auto value = parseNumber(trimmed(text.substr(equals + 1)));
+  if (!value || !std::isfinite(*value)) {
+    return usageError(option, quoted(text) + " gives no number; write " + name + "=VALUE");
+  }
+  return Assignment{*parameter, *value};
+}
+
+}  // namespace cutis

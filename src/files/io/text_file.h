@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace cutis {
+
+// The whole file. Fails with a sentence if it is missing, a folder, unreadable, empty or larger
+// than `limitBytes`.
+Result<std::string> readTextFile(const std::filesystem::path& path,
+                                 std::size_t limitBytes = std::size_t{64} << 20);
+
+}  // namespace cutis

@@ -1,0 +1,197 @@
+#include "src/files/profiles/calibration_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "src/files/io/json_file.h"
+#include "src/files/io/suggestion.h"
+#include "src/files/io/text_file.h"
+#include "src/files/profiles/profile_file.h"
+#include "src/files/resources.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kNewestVersion = 1;
+constexpr char kFolder[] = "calibrations";
+constexpr char kSpecularShare[] = "specular_share";
+constexpr std::array<std::pair<const char*, SpecularPart>, 3> kSpecularParts = {
+    {{"included", SpecularPart::included},
+     {"excluded", SpecularPart::excluded},
+     {"crossed", SpecularPart::crossPolarised}}};
+
+Result<SpecularPart> parseSpecular(const JsonValue& object) {
+  CUTIS_TRY(text, object.text("specular"));
+  for (const auto& [name, part] : kSpecularParts) {
+    if (text == name) return part;
+  }
+  return object.error("specular", "\"included\", \"excluded\" or \"crossed\"");
+}
+
+Result<SpectralAim> parseAim(const JsonValue& object) {
+  CUTIS_CHECK(object.allowOnly({"from_nm", "to_nm", "rms"}));
+  CUTIS_TRY(from, object.number("from_nm"));
+  CUTIS_TRY(to, object.number("to_nm"));
+  CUTIS_TRY(rms, object.number("rms"));
+  if (!(from < to)) return object.error("to_nm", "greater than from_nm");
+  if (!(rms > 0.0)) return object.error("rms", "greater than 0");
+  return SpectralAim{from, to, rms};
+}
+
+Result<CalibrationSpectra> parseSpectra(const JsonValue& object) {
+  CUTIS_CHECK(object.allowOnly({"name", "specular", kSpecularShare, "aperture_radius_mm", "aims"}));
+  CalibrationSpectra spectra;
+  CUTIS_TRY(name, object.text("name"));
+  CUTIS_TRY(specular, parseSpecular(object));
+  CUTIS_TRY(share, object.number(kSpecularShare, kSkinSpecularShare));
+  if (share < 0.0 || share >= 1.0) return object.error(kSpecularShare, "0 or more and below 1");
+  if (object.has("aperture_radius_mm")) {
+    CUTIS_TRY(radius, object.number("aperture_radius_mm"));
+    if (!(radius > 0.0)) return object.error("aperture_radius_mm", "greater than 0");
+    spectra.edgeLossPerMm = edgeLossOfAperture(radius);
+  }
+  CUTIS_TRY(aims, object.array("aims"));
+  for (const JsonValue& each : aims) {
+    CUTIS_TRY(aim, parseAim(each));
+    spectra.aims.push_back(aim);
+  }
+  if (spectra.aims.empty()) return object.error("aims", "one aim or more");
+  spectra.name = name;
+  spectra.specular = specular;
+  spectra.specularShare = share;
+  return spectra;
+}
+
+Result<std::size_t> findSpectra(const JsonValue& object, const CalibrationRecipe& recipe) {
+  CUTIS_TRY(name, object.text("spectra"));
+  const auto found = std::find_if(recipe.spectra.begin(), recipe.spectra.end(),
+                                  [&](const auto& spectra) { return spectra.name == name; });
+  if (found != recipe.spectra.end()) {
+    return static_cast<std::size_t>(found - recipe.spectra.begin());
+  }
+  return object.error("spectra", "the name of one of the spectra");
+}
+
+Result<CalibrationConstant> parseConstant(const JsonValue& object,
+                                          const CalibrationRecipe& recipe) {
+  CUTIS_CHECK(
+      object.allowOnly({"field", "spectra", "low", "high", "expected", "sd", "scale", "note"}));
+  CalibrationConstant result;
+  CUTIS_TRY(field, object.text("field"));
+  CUTIS_TRY(low, object.number("low"));
+  CUTIS_TRY(high, object.number("high"));
+  CUTIS_TRY(expected, object.number("expected"));
+  CUTIS_TRY(deviation, object.number("sd"));
+  CUTIS_TRY(scale, object.text("scale", "linear"));
+  CUTIS_TRY(note, object.text("note", ""));
+  if (!(low < high)) return object.error("high", "greater than low");
+  if (!(deviation > 0.0)) return object.error("sd", "greater than 0");
+  if (scale != "linear" && scale != "log") return object.error("scale", "\"linear\" or \"log\"");
+  const bool isLog = scale == "log";
+  if (isLog && !(low > 0.0)) return object.error("low", "greater than 0 on the log scale");
+  if (isLog && !(expected > 0.0)) {
+    return object.error("expected", "greater than 0 on the log scale");
+  }
+  if (object.has("spectra")) {
+    if (field != kSpecularShare) {
+      return object.error("field", "specular_share where the constant is of spectra");
+    }
+    CUTIS_TRY(spectra, findSpectra(object, recipe));
+    if (low < 0.0 || high >= 1.0) return object.error("high", "below 1, and low 0 or more");
+    result.spectra = spectra;
+  }
+  result.constant = {field, low, high, expected, deviation, isLog};
+  result.note = note;
+  return result;
+}
+
+Status parsePriorSource(const JsonValue& root, CalibrationRecipe& recipe) {
+  CUTIS_TRY(object, root.object("prior"));
+  CUTIS_CHECK(object.allowOnly({"spectra", "noise"}));
+  CUTIS_TRY(spectra, findSpectra(object, recipe));
+  CUTIS_TRY(noise, object.number("noise"));
+  if (!(noise > 0.0)) return object.error("noise", "greater than 0");
+  recipe.priorSpectra = spectra;
+  recipe.priorNoise = noise;
+  return {};
+}
+
+// Text of the profile to begin from: a file beside the recipe, or a built-in profile.
+Result<std::string> startText(const std::string& start, const std::string& place, bool isBuiltIn) {
+  namespace fs = std::filesystem;
+  if (isBuiltIn) {
+    const std::string beside = std::string(kFolder) + "/" + start;
+    if (const auto text = resource(beside)) return std::string(*text);
+  }
+  const bool isBeside = start.ends_with(".json") && fs::path(start).is_relative();
+  return profileText(isBeside ? (fs::path(place).parent_path() / start).string() : start, place);
+}
+
+Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& place,
+                                      bool isBuiltIn) {
+  CUTIS_TRY(root, parseJson(text, place));
+  CUTIS_CHECK(checkVersion(root, "cutis_calibration", kNewestVersion));
+  CUTIS_CHECK(root.allowOnly({"cutis_calibration", "name", "description", "start", "step_nm",
+                              "pull", "spectra", "prior", "constants"}));
+  CalibrationRecipe recipe;
+  CUTIS_TRY(name, root.text("name"));
+  CUTIS_TRY(description, root.text("description", ""));
+  CUTIS_TRY(start, root.text("start"));
+  CUTIS_TRY(step, root.integer("step_nm"));
+  CUTIS_TRY(pull, root.number("pull"));
+  if (name.empty()) return root.error("name", "a text that is not empty");
+  if (step <= 0 || step % kWavelengthStepNm != 0 || step > 100) {
+    return root.error("step_nm", "an even number from 2 to 100");
+  }
+  if (!(pull >= 0.0)) return root.error("pull", "0 or greater");
+  recipe.name = name;
+  recipe.description = description;
+  recipe.start = start;
+  recipe.stepNm = step;
+  recipe.pull = pull;
+  CUTIS_TRY(spectra, root.array("spectra"));
+  for (const JsonValue& each : spectra) {
+    CUTIS_TRY(parsed, parseSpectra(each));
+    for (const CalibrationSpectra& other : recipe.spectra) {
+      if (other.name == parsed.name) return each.error("name", "different from that of others");
+    }
+    recipe.spectra.push_back(parsed);
+  }
+  if (recipe.spectra.empty()) return root.error("spectra", "one object or more");
+  CUTIS_CHECK(parsePriorSource(root, recipe));
+  CUTIS_TRY(constants, root.array("constants"));
+  for (const JsonValue& each : constants) {
+    CUTIS_TRY(parsed, parseConstant(each, recipe));
+    for (const CalibrationConstant& other : recipe.constants) {
+      if (other.constant.name == parsed.constant.name && other.spectra == parsed.spectra) {
+        return each.error("field", "named once");
+      }
+    }
+    recipe.constants.push_back(parsed);
+  }
+  if (recipe.constants.empty()) return root.error("constants", "one object or more");
+  CUTIS_TRY(profile, startText(start, place, isBuiltIn));
+  CUTIS_CHECK(parseProfile(profile, start));
+  recipe.startText = profile;
+  return recipe;
+}
+
+}  // namespace
+
+Result<CalibrationRecipe> loadCalibrationRecipe(const std::string& nameOrPath,
+                                                const std::string& place) {
+  const std::string builtIn = std::string(kFolder) + "/" + nameOrPath + ".json";
+  if (const auto text = resource(builtIn)) return parseRecipe(*text, nameOrPath, true);
+  const bool isPath = nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".json");
+  if (!isPath) {
+    return inputError(place, "unknown calibration '" + nameOrPath + "'; " +
+                                 suggestName(nameOrPath, resourceStems(kFolder, ".json")) +
+                                 ", or name a JSON file");
+  }
+  CUTIS_TRY(text, readTextFile(nameOrPath));
+  return parseRecipe(text, nameOrPath, false);
+}
+
+}  // namespace cutis

@@ -1,0 +1,101 @@
+#include "src/files/profiles/profile_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "core/skin/profile/parameter.h"
+
+namespace cutis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLineLength = 120;
+// Of a correlation: one over the last digit it is known to.
+constexpr double kCorrelationDigits = 1e3;
+
+Json::json_pointer pointerTo(const std::string& field) {
+  std::string path = "/" + field;
+  std::replace(path.begin(), path.end(), '.', '/');
+  return Json::json_pointer(path);
+}
+
+Json jsonOf(const Prior& prior) {
+  const bool log = prior.scale == PriorScale::log;
+  Json json = {{"scale", log ? "log" : "linear"}};
+  Json linear = Json::array(), mean = Json::object(), sd = Json::object();
+  Json correlation = Json::object();
+  for (const Parameter parameter : kParameters) {
+    const std::string name(parameterName(parameter));
+    const auto k = static_cast<Eigen::Index>(parameter);
+    if (log && parameter != kMelaninBlend && !prior.isLog(static_cast<int>(k))) {
+      linear.push_back(name);
+    }
+    mean[name] = prior.mean[k];
+    sd[name] = prior.deviation[k];
+    for (const Parameter other : kParameters) {
+      const auto j = static_cast<Eigen::Index>(other);
+      if (j <= k) continue;
+      const double rounded =
+          std::round(prior.correlation(k, j) * kCorrelationDigits) / kCorrelationDigits;
+      if (rounded != 0.0) correlation[name + "," + std::string(parameterName(other))] = rounded;
+    }
+  }
+  if (!linear.empty()) json["linear"] = linear;
+  json["mean"] = mean;
+  json["sd"] = sd;
+  if (!correlation.empty()) json["correlation"] = correlation;
+  return json;
+}
+
+std::string written(const Json& json, std::size_t indent);
+
+// The items of an object or array, each behind `separator`.
+std::string joined(const Json& json, const std::string& separator, std::size_t indent) {
+  std::string text;
+  for (const auto& [key, value] : json.items()) {
+    if (!text.empty()) text += "," + separator;
+    if (json.is_object()) text += Json(key).dump() + ": ";
+    text += written(value, indent);
+  }
+  return text;
+}
+
+// Objects and arrays without others inside stand on one line where there is room.
+std::string written(const Json& json, std::size_t indent) {
+  if (!json.is_structured()) return json.dump();
+  const std::string open = json.is_object() ? "{" : "[", close = json.is_object() ? "}" : "]";
+  const bool nested = std::any_of(json.begin(), json.end(),
+                                  [](const Json& inner) { return inner.is_structured(); });
+  const std::string line = open + joined(json, " ", 0) + close;
+  if (!nested && line.size() + indent < kLineLength) return line;
+  const std::string separator = "\n" + std::string(indent + 2, ' ');
+  return open + separator + joined(json, separator, indent + 2) + "\n" + std::string(indent, ' ') +
+         close;
+}
+
+}  // namespace
+
+Result<double> profileNumber(std::string_view text, const std::string& field,
+                             const std::string& place) {
+  const Json root = Json::parse(text);
+  const Json::json_pointer pointer = pointerTo(field);
+  if (root.contains(pointer) && root.at(pointer).is_number()) return root.at(pointer).get<double>();
+  return inputError(place, "the profile has no number '" + field + "'");
+}
+
+std::string editedProfile(std::string_view text, const ProfileEdits& edits) {
+  Json root = Json::parse(text);
+  for (const auto& [field, value] : edits.numbers)
+    root[pointerTo(field)] = value;
+  if (!edits.name.empty()) root["name"] = edits.name;
+  if (!edits.description.empty()) root["description"] = edits.description;
+  if (edits.prior) root["prior"] = jsonOf(*edits.prior);
+  for (const auto& [field, source] : edits.sources)
+    root["sources"][field] = source;
+  return written(root, 0) + "\n";
+}
+
+}  // namespace cutis

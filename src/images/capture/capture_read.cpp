@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "core/base/parallel.h"
+#include "src/images/capture/capture_file.h"
+#include "src/images/capture/capture_manifest.h"
+#include "src/images/capture/mask_file.h"
+#include "src/images/image_file.h"
+
+namespace cutis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + " × " + std::to_string(height) + " pixels";
+}
+
+std::string channelList(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+// Where the three channels of the camera are: under its own names, or red, green and blue.
+Result<std::array<std::size_t, 3>> cameraChannels(const ImageHeader& image, const Camera& camera,
+                                                  const std::string& place) {
+  for (const auto& names : {camera.channelNames, {"R", "G", "B"}}) {
+    std::array<std::size_t, 3> channels = {};
+    bool all = true;
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const int index = image.channelIndex(names[c]);
+      all = all && index >= 0;
+      channels[c] = static_cast<std::size_t>(std::max(index, 0));
+    }
+    if (all) return channels;
+  }
+  return inputError(place, "a photograph needs the channels R, G and B; this file has " +
+                               channelList(image.channelNames) + "; save it as a colour image");
+}
+
+// One light's photograph as it was read.
+struct Photograph {
+  std::array<Plane, 3> planes;
+  std::array<float, 3> scale;
+  bool integer = false;
+
+  bool isScaled() const { return scale != std::array<float, 3>{1.0f, 1.0f, 1.0f}; }
+};
+
+class CaptureReader {
+ public:
+  CaptureReader(const CaptureManifest& manifest, std::shared_ptr<TileStore> store,
+                const JobContext& context)
+      : manifest_(manifest), store_(std::move(store)), context_(context) {}
+
+  Result<Capture> read() {
+    Capture capture;
+    CUTIS_CHECK(readPhotographs(capture));
+    CUTIS_CHECK(readTheMask());
+    capture.measurements.rig = manifest_.rig;
+    CUTIS_CHECK(measure(capture.measurements));
+    return capture;
+  }
+
+ private:
+  Status readPhotographs(Capture& capture) {
+    const auto count = static_cast<double>(manifest_.photographs.size());
+    for (const CapturePhotograph& entry : manifest_.photographs) {
+      const auto done = static_cast<double>(photographs_.size());
+      const JobContext part = context_.child(0.9 * done / count, 0.9 * (done + 1.0) / count);
+      CUTIS_TRY(header, readImageHeader(entry.path, part));
+      CUTIS_CHECK(checkSize(header, entry));
+      CUTIS_TRY(channels, cameraChannels(header, manifest_.rig.camera, entry.path.string()));
+      // A half holds its own kind exactly, and nothing else.
+      const PixelFormat format =
+          header.sourceType == SampleType::half ? PixelFormat::half : PixelFormat::float32;
+      CUTIS_TRY(image, readImage(entry.path, format, store_, part));
+      Photograph photograph;
+      for (std::size_t c = 0; c < 3; ++c)
+        photograph.planes[c] = image.channels[channels[c]];
+      photograph.scale = entry.scale;
+      photograph.integer = isInteger(image.sourceType);
+      if (photographs_.empty()) capture.metadata = image.metadata;
+      photographs_.push_back(std::move(photograph));
+      capture.sources.push_back({entry.file, image.contentHash});
+    }
+    return {};
+  }
+
+  Status checkSize(const ImageHeader& header, const CapturePhotograph& entry) {
+    if (photographs_.empty()) {
+      width_ = header.width;
+      height_ = header.height;
+      return {};
+    }
+    if (header.width == width_ && header.height == height_) return {};
+    return inputError(entry.path.string(),
+                      "the photograph is " + sizeText(header.width, header.height) + " but '" +
+                          manifest_.photographs.front().file + "' is " + sizeText(width_, height_) +
+                          "; all photographs must be of one size");
+  }
+
+  Status readTheMask() {
+    if (manifest_.mask.empty()) return {};
+    CUTIS_TRY(mask, readMask(manifest_.mask, width_, height_,
+                             "'" + manifest_.photographs.front().file + "'", store_,
+                             context_.child(0.9, 0.95)));
+    mask_ = mask;
+    return {};
+  }
+
+  Status measure(Measurements& measurements) {
+    for (Photograph& photograph : photographs_) {
+      for (Plane& plane : photograph.planes) {
+        measurements.channels.push_back(
+            photograph.isScaled() ? Plane(width_, height_, PixelFormat::float32, store_) : plane);
+      }
+    }
+    measurements.state = Plane(width_, height_, PixelFormat::half, store_);
+    const auto tiles = static_cast<std::size_t>(measurements.state.tileCount());
+    return parallelFor(tiles, context_.child(0.95, 1.0), [&](std::size_t i) {
+      return measureTile(measurements.state.tileRect(static_cast<int>(i)), measurements);
+    });
+  }
+
+  Status measureTile(const Rect& rect, Measurements& measurements) const {
+    const std::size_t pixels = rect.pixelCount();
+    const std::size_t channels = measurements.channels.size();
+    std::vector<float> values(channels * pixels), mask(pixels, 1.0f), state(pixels);
+    std::vector<char> clipped(pixels, 0);
+    for (std::size_t c = 0; c < channels; ++c) {
+      const Photograph& photograph = photographs_[c / 3];
+      const std::span<float> channel = std::span(values).subspan(c * pixels, pixels);
+      CUTIS_CHECK(photograph.planes[c % 3].load(rect, channel));
+      for (std::size_t p = 0; photograph.integer && p < pixels; ++p) {
+        if (channel[p] >= 1.0f) clipped[p] = 1;
+      }
+      if (!photograph.isScaled()) continue;
+      for (float& value : channel)
+        value *= photograph.scale[c % 3];
+      CUTIS_CHECK(measurements.channels[c].store(rect, channel));
+    }
+    if (!mask_.empty()) CUTIS_CHECK(mask_.load(rect, mask));
+    std::vector<float> pixel(channels);
+    for (std::size_t p = 0; p < pixels; ++p) {
+      for (std::size_t c = 0; c < channels; ++c)
+        pixel[c] = values[c * pixels + p];
+      state[p] = static_cast<float>(classify(pixel, mask[p], clipped[p] != 0));
+    }
+    return measurements.state.store(rect, state);
+  }
+
+  const CaptureManifest& manifest_;
+  std::shared_ptr<TileStore> store_;
+  const JobContext& context_;
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<Photograph> photographs_;
+  Plane mask_;
+};
+
+}  // namespace
+
+bool looksLikeCapture(const fs::path& path) {
+  std::error_code ignored;
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".json" || fs::is_directory(path, ignored);
+}
+
+Result<Capture> readCapture(const fs::path& path, const CaptureReadOptions& options,
+                            const std::shared_ptr<TileStore>& store, const JobContext& context) {
+  CUTIS_TRY(manifest, readCaptureManifest(path, options));
+  return CaptureReader(manifest, store, context).read();
+}
+
+}  // namespace cutis

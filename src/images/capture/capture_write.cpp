@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "src/files/io/atomic_write.h"
+#include "src/files/io/platform.h"
+#include "src/files/rig_file.h"
+#include "src/images/capture/capture_file.h"
+#include "src/images/capture/capture_manifest.h"
+#include "src/images/image_file.h"
+
+namespace cutis {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr char kMaskFile[] = "mask.png";
+
+// A folder that vanishes unless it is renamed away.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {}
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+fs::path temporaryBeside(const fs::path& folder) {
+  static std::atomic<unsigned> serial = 0;
+  return folder.parent_path() /
+         ("." + folder.filename().string() + "-" + std::to_string(processId()) + "-" +
+          std::to_string(serial++) + ".partial");
+}
+
+// "studio/" names the same folder as "studio".
+fs::path withoutTrailingSlash(const fs::path& folder) {
+  const fs::path absolute = fs::absolute(folder).lexically_normal();
+  return absolute.has_filename() ? absolute : absolute.parent_path();
+}
+
+const char* extensionOf(SampleType type) {
+  if (type == SampleType::uint8) return ".png";
+  return isInteger(type) ? ".tif" : ".exr";
+}
+
+// "white+blue" → "white_blue.exr"; names that become equal are told apart by a number.
+std::vector<std::string> fileNames(const Rig& rig, SampleType type) {
+  std::vector<std::string> names;
+  std::set<std::string> used = {"mask", "maps"};
+  for (const RigLight& light : rig.lights) {
+    std::string stem = light.name;
+    std::replace_if(
+        stem.begin(), stem.end(), [](unsigned char c) { return std::isalnum(c) == 0 && c != '-'; },
+        '_');
+    std::string unique = stem;
+    for (int n = 2; !used.insert(unique).second; ++n)
+      unique = stem + "_" + std::to_string(n);
+    names.push_back(unique + extensionOf(type));
+  }
+  return names;
+}
+
+// What capture.json says; a file is named from where the capture will be.
+std::string rigReference(const std::string& rig, const Rig& measured, const fs::path& folder) {
+  const std::string name = rig.empty() ? measured.name : rig;
+  const std::vector<std::string> builtIn = rigNames();
+  if (rig.empty() || std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end()) return name;
+  return fs::absolute(rig).lexically_normal().lexically_proximate(folder).generic_string();
+}
+
+std::string manifestText(const Measurements& measurements, const CaptureWriteOptions& options,
+                         const std::vector<std::string>& files, const fs::path& folder) {
+  nlohmann::ordered_json root;
+  root["cutis_capture"] = kNewestCaptureVersion;
+  root["rig"] = rigReference(options.rig, measurements.rig, folder);
+  root["encoding"] = "linear";
+  root["images"] = nlohmann::ordered_json::array();
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    root["images"].push_back({{"light", measurements.rig.lights[k].name}, {"file", files[k]}});
+  }
+  if (!options.mask.empty()) root["mask"] = kMaskFile;
+  return root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+ImageContent photographOf(const Measurements& measurements, std::size_t light,
+                          const ImageMetadata& metadata) {
+  ImageContent content;
+  const auto& names = measurements.rig.camera.channelNames;
+  content.channelNames = {names.begin(), names.end()};
+  for (std::size_t c = 0; c < 3; ++c) {
+    content.channels.push_back(measurements.channels[3 * light + c]);
+  }
+  content.metadata = metadata;
+  return content;
+}
+
+// All files into `target`; `folder` is where they will be in the end.
+Status writeFiles(const fs::path& target, const fs::path& folder, const Measurements& measurements,
+                  const CaptureWriteOptions& options, const JobContext& context) {
+  const std::vector<std::string> files = fileNames(measurements.rig, options.sampleType);
+  const auto count = static_cast<double>(files.size());
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const auto done = static_cast<double>(k);
+    CUTIS_CHECK(writeImage(target / files[k], photographOf(measurements, k, options.metadata),
+                           options.sampleType,
+                           context.child(0.9 * done / count, 0.9 * (done + 1.0) / count)));
+  }
+  if (!options.mask.empty()) {
+    ImageContent mask;
+    mask.channelNames = {"Y"};
+    mask.channels = {options.mask};
+    CUTIS_CHECK(writeImage(target / kMaskFile, mask, SampleType::uint8, context.child(0.9, 1.0)));
+  }
+  if (options.extra) CUTIS_CHECK(options.extra(target));
+  return writeTextAtomically(target / kCaptureFile,
+                             manifestText(measurements, options, files, folder));
+}
+
+Error cannotCreate(const fs::path& folder, const std::error_code& error) {
+  return resourceError(folder.string(),
+                       "the folder cannot be created (" + error.message() + "); write elsewhere");
+}
+
+Status writeNewFolder(const fs::path& folder, const Measurements& measurements,
+                      const CaptureWriteOptions& options, const JobContext& context) {
+  const TemporaryFolder temporary(temporaryBeside(folder));
+  std::error_code error;
+  fs::create_directory(temporary.path(), error);
+  if (error) return cannotCreate(folder, error);
+  CUTIS_CHECK(writeFiles(temporary.path(), folder, measurements, options, context));
+  fs::remove(folder, error);  // if it is there, it is empty
+  error.clear();
+  fs::rename(temporary.path(), folder, error);
+  if (error) return cannotCreate(folder, error);
+  return {};
+}
+
+}  // namespace
+
+Status writeCapture(const fs::path& path, const Measurements& measurements,
+                    const CaptureWriteOptions& options, const JobContext& context) {
+  const fs::path folder = withoutTrailingSlash(path);
+  const std::string place = path.string();
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) {
+    return writeNewFolder(folder, measurements, options, context);
+  }
+  if (!fs::is_directory(folder, ignored)) {
+    return resourceError(place, "there is a file of this name; name a folder");
+  }
+  if (fs::is_empty(folder, ignored)) {
+    return writeNewFolder(folder, measurements, options, context);
+  }
+  if (!fs::exists(folder / kCaptureFile, ignored)) {
+    return resourceError(place,
+                         "the folder holds other things than a capture; name a new or empty one");
+  }
+  return writeFiles(folder, folder, measurements, options, context);
+}
+
+}  // namespace cutis

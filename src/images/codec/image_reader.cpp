@@ -1,0 +1,287 @@
+#include "src/images/codec/image_reader.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "core/base/parallel.h"
+#include "src/images/codec/oiio_text.h"
+#include "src/images/codec/png_check.h"
+#include "src/images/codec/tiff_check.h"
+
+namespace cutis {
+namespace {
+
+constexpr std::int64_t kReadBytes = std::int64_t{8} << 20;   // between two looks at the stop token
+constexpr std::int64_t kChunkBytes = std::int64_t{1} << 30;  // in memory at once
+constexpr int kFarthestOrigin = 1 << 24;
+
+std::optional<SampleType> sampleTypeOf(OIIO::TypeDesc type) {
+  switch (type.basetype) {
+    case OIIO::TypeDesc::UINT8:
+      return SampleType::uint8;
+    case OIIO::TypeDesc::UINT16:
+      return SampleType::uint16;
+    case OIIO::TypeDesc::UINT32:
+      return SampleType::uint32;
+    case OIIO::TypeDesc::HALF:
+      return SampleType::half;
+    case OIIO::TypeDesc::FLOAT:
+      return SampleType::float32;
+    case OIIO::TypeDesc::DOUBLE:
+      return SampleType::float64;
+    default:
+      return std::nullopt;
+  }
+}
+
+// The type rows are asked for in: that of the file if our own conversion knows it, else float.
+OIIO::TypeDesc transferType(const ImagePart& part) {
+  const bool uniform = part.spec.channelformats.empty();
+  if (uniform && part.type == SampleType::uint8) return OIIO::TypeUInt8;
+  if (uniform && part.type == SampleType::uint16) return OIIO::TypeUInt16;
+  return OIIO::TypeFloat;
+}
+
+bool isFarOut(const OIIO::ImageSpec& spec) {
+  const auto far = [](int v) { return v < -kFarthestOrigin || v > kFarthestOrigin; };
+  return far(spec.x) || far(spec.y) || far(spec.full_x) || far(spec.full_y);
+}
+
+bool exceedsLimits(std::int64_t width, std::int64_t height) {
+  return width > kLargestSide || height > kLargestSide || width * height > kMostPixels;
+}
+
+// libjpeg also complains about what does no harm to the picture; some cameras write such files.
+bool isHarmless(ImageFileKind kind, const std::string& message) {
+  return kind == ImageFileKind::jpeg &&
+         (message.find("extraneous bytes") != std::string::npos ||
+          message.find("Invalid SOS parameters") != std::string::npos);
+}
+
+Status checkLayout(const OIIO::ImageSpec& spec, const std::string& place) {
+  if (spec.deep) {
+    return inputError(place, "deep pixels (many samples in one) are not read; flatten the image");
+  }
+  if (spec.depth > 1) {
+    return inputError(place, "volumes are not read; save one slice as an image");
+  }
+  if (spec.nchannels <= 0 || spec.width <= 0 || spec.height <= 0) {
+    return inputError(place, "the image has no pixels or no channels; save it again");
+  }
+  if (spec.nchannels > kMostChannels) {
+    return inputError(place, "the image has " + std::to_string(spec.nchannels) +
+                                 " channels; at most " + std::to_string(kMostChannels) +
+                                 " are read");
+  }
+  if (exceedsLimits(spec.width, spec.height) || exceedsLimits(spec.full_width, spec.full_height)) {
+    return inputError(place, "the image is " + std::to_string(spec.width) + " × " +
+                                 std::to_string(spec.height) + " pixels; at most " +
+                                 std::to_string(kLargestSide) + " a side and " +
+                                 std::to_string(kMostPixels) + " in all are read; make it smaller");
+  }
+  if (isFarOut(spec)) {
+    return inputError(place, "the window of the image lies absurdly far out; save it again");
+  }
+  return {};
+}
+
+Rect rectOf(int x, int y, int width, int height) {
+  return {x, y, x + width, y + height};
+}
+
+}  // namespace
+
+int ImagePart::channelIndex(std::string_view channelName) const {
+  const auto found = std::find(spec.channelnames.begin(), spec.channelnames.end(), channelName);
+  return found == spec.channelnames.end() ? -1
+                                          : static_cast<int>(found - spec.channelnames.begin());
+}
+
+// Rows are decoded in steps and passed on in chunks of several steps. Steps of a tiled file are
+// rows of tiles.
+struct ImageReader::Chunks {
+  int rowsPerStep = 1;
+  int rowsPerChunk = 1;  // a multiple of rowsPerStep
+  std::size_t rowBytes = 0;
+};
+
+Error ImageReader::damaged(const std::string& reason) const {
+  return inputError(place_, "the " + imageKindName(kind_) + " file is damaged or cut off (" +
+                                oiioReason(reason, place_) + "); get a sound copy");
+}
+
+Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
+                                      const JobContext& context) {
+  CUTIS_TRY(kind, identifyImageFile(path));
+  if (kind == ImageFileKind::png) {
+    CUTIS_CHECK(checkPngChunks(path, PngExtent::beforePixels, context));
+  }
+  setUpOpenImageIO();
+  ImageReader reader;
+  reader.place_ = path.string();
+  reader.kind_ = kind;
+  try {
+    reader.input_ = OIIO::ImageInput::create(oiioFormatName(kind));
+    if (!reader.input_) {
+      return inputError(reader.place_, imageKindName(kind) +
+                                           " files cannot be read by this build of OpenImageIO; "
+                                           "convert the file");
+    }
+    OIIO::ImageSpec hints, spec;
+    hints.attribute("oiio:UnassociatedAlpha", 1);  // leave colours as they are stored
+    if (!reader.input_->open(reader.place_, spec, hints)) {
+      return reader.damaged(reader.input_->geterror());
+    }
+    reader.input_->geterror();  // what did not keep it from opening
+    if (kind == ImageFileKind::openExr) {
+      reader.partCount_ = std::max(1, spec.get_int_attribute("oiio:subimages", 1));
+    }
+  } catch (const std::exception& error) {
+    return reader.damaged(error.what());
+  }
+  if (reader.partCount_ > kMostParts) {
+    return inputError(reader.place_, "the file has " + std::to_string(reader.partCount_) +
+                                         " parts; at most " + std::to_string(kMostParts) +
+                                         " are read");
+  }
+  return reader;
+}
+
+Result<ImagePart> ImageReader::part(int index) try {
+  ImagePart part;
+  part.index = index;
+  part.spec = input_->spec(index, 0);
+  if (part.spec.format == OIIO::TypeUnknown) return damaged(input_->geterror());
+  const OIIO::ImageSpec& spec = part.spec;
+  CUTIS_CHECK(checkLayout(spec, place_));
+  const auto type = sampleTypeOf(spec.format);
+  if (!type) {
+    return inputError(place_, std::string("samples of type ") + spec.format.c_str() +
+                                  " are not read; convert to 8 or 16 bit, half or float");
+  }
+  part.type = *type;
+  part.name = std::string(spec.get_string_attribute("oiio:subimagename"));
+  part.stored = rectOf(spec.x, spec.y, spec.width, spec.height);
+  part.window = part.stored;
+  if (kind_ == ImageFileKind::openExr && spec.full_width > 0 && spec.full_height > 0) {
+    part.window = rectOf(spec.full_x, spec.full_y, spec.full_width, spec.full_height);
+  }
+  return part;
+} catch (const std::exception& error) {
+  return damaged(error.what());
+}
+
+Result<ImageReader::Chunks> ImageReader::divide(const ImagePart& part) const {
+  Chunks chunks;
+  chunks.rowBytes = static_cast<std::size_t>(part.spec.width) *
+                    static_cast<std::size_t>(part.spec.nchannels) * transferType(part).size();
+  const auto rowBytes = static_cast<std::int64_t>(chunks.rowBytes);
+  if (part.spec.tile_width > 0) {
+    chunks.rowsPerStep = part.spec.tile_height;
+    if (chunks.rowsPerStep <= 0 || part.spec.tile_depth > 1 ||
+        std::min(chunks.rowsPerStep, part.spec.height) * rowBytes > 2 * kChunkBytes) {
+      return inputError(place_, "the tiles of the image are too large; save it without tiles");
+    }
+  } else {
+    const auto rows = std::clamp<std::int64_t>(kReadBytes / rowBytes, 1, Plane::kTileSize);
+    // Compressors work on blocks of up to 32 rows.
+    chunks.rowsPerStep = static_cast<int>(rows >= 32 ? rows / 32 * 32 : rows);
+  }
+  const std::int64_t fits = std::max<std::int64_t>(1, kChunkBytes / rowBytes);
+  const auto wanted = static_cast<int>(std::min<std::int64_t>(Plane::kTileSize, fits));
+  chunks.rowsPerChunk = std::max(1, wanted / chunks.rowsPerStep) * chunks.rowsPerStep;
+  return chunks;
+}
+
+Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::vector<std::byte>& buffer,
+                             std::size_t offset) try {
+  const OIIO::ImageSpec& spec = part.spec;
+  const bool read =
+      spec.tile_width > 0
+          ? input_->read_tiles(part.index, 0, spec.x, spec.x + spec.width, y0, y1, 0, 1, 0,
+                               spec.nchannels, transferType(part), buffer.data() + offset)
+          : input_->read_scanlines(part.index, 0, y0, y1, 0, 0, spec.nchannels, transferType(part),
+                                   buffer.data() + offset);
+  // A cut-off TIFF or JPEG reads with success; only the message tells.
+  const std::string message = input_->geterror();
+  if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
+  return {};
+} catch (const std::exception& error) {
+  return damaged(error.what());
+}
+
+namespace {
+
+// One channel of interleaved rows into a plane of the picture's window.
+template <typename Sample>
+Status storeChannel(const ImagePart& part, const std::byte* rows, const Rect& chunk, int channel,
+                    Plane& plane) {
+  const Rect seen = intersection(chunk, part.window);
+  if (seen.empty()) return {};
+  const auto channels = static_cast<std::size_t>(part.spec.nchannels);
+  const auto width = static_cast<std::size_t>(seen.width());
+  std::vector<float> values(seen.pixelCount());
+  for (int y = seen.y0; y < seen.y1; ++y) {
+    const std::size_t pixel =
+        static_cast<std::size_t>(y - chunk.y0) * static_cast<std::size_t>(chunk.width()) +
+        static_cast<std::size_t>(seen.x0 - chunk.x0);
+    const auto* samples = reinterpret_cast<const Sample*>(rows) + pixel * channels +
+                          static_cast<std::size_t>(channel);
+    gatherSamples(samples, channels,
+                  std::span(values).subspan(static_cast<std::size_t>(y - seen.y0) * width, width));
+  }
+  const Rect target = {seen.x0 - part.window.x0, seen.y0 - part.window.y0, seen.x1 - part.window.x0,
+                       seen.y1 - part.window.y0};
+  return plane.store(target, values);
+}
+
+Status storeChunk(const ImagePart& part, const std::byte* rows, const Rect& chunk,
+                  std::span<const int> channels, std::vector<Plane>& planes,
+                  const JobContext& context) {
+  const OIIO::TypeDesc type = transferType(part);
+  return parallelFor(planes.size(), {context.stop, {}, {}}, [&](std::size_t i) -> Status {
+    if (type == OIIO::TypeUInt8) {
+      return storeChannel<std::uint8_t>(part, rows, chunk, channels[i], planes[i]);
+    }
+    if (type == OIIO::TypeUInt16) {
+      return storeChannel<std::uint16_t>(part, rows, chunk, channels[i], planes[i]);
+    }
+    return storeChannel<float>(part, rows, chunk, channels[i], planes[i]);
+  });
+}
+
+}  // namespace
+
+Result<std::vector<Plane>> ImageReader::read(const ImagePart& part, std::span<const int> channels,
+                                             PixelFormat format,
+                                             const std::shared_ptr<TileStore>& store,
+                                             const JobContext& context) try {
+  if (kind_ == ImageFileKind::png) {
+    CUTIS_CHECK(checkPngChunks(place_, PngExtent::whole, context));
+  }
+  if (kind_ == ImageFileKind::tiff) CUTIS_CHECK(checkTiffExtent(place_));
+  CUTIS_TRY(chunks, divide(part));
+  std::vector<Plane> planes;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    planes.emplace_back(part.width(), part.height(), format, store);
+  }
+  const Rect& stored = part.stored;
+  const auto chunkRows = static_cast<std::size_t>(std::min(chunks.rowsPerChunk, stored.height()));
+  std::vector<std::byte> buffer(chunkRows * chunks.rowBytes);
+  for (int y0 = stored.y0; y0 < stored.y1; y0 += chunks.rowsPerChunk) {
+    const int y1 = std::min(stored.y1, y0 + chunks.rowsPerChunk);
+    for (int y = y0; y < y1; y += chunks.rowsPerStep) {
+      if (context.stopRequested()) return Cancelled{};
+      const std::size_t offset = static_cast<std::size_t>(y - y0) * chunks.rowBytes;
+      CUTIS_CHECK(readRows(part, y, std::min(y1, y + chunks.rowsPerStep), buffer, offset));
+    }
+    CUTIS_CHECK(
+        storeChunk(part, buffer.data(), {stored.x0, y0, stored.x1, y1}, channels, planes, context));
+    context.progress.report(static_cast<double>(y1 - stored.y0) / stored.height());
+  }
+  return planes;
+} catch (const std::bad_alloc&) {
+  return resourceError(place_, "not enough memory for the image; use a smaller one");
+}
+
+}  // namespace cutis

@@ -1,0 +1,87 @@
+#include "src/images/codec/png_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace cutis {
+namespace {
+
+constexpr std::streamsize kSignatureBytes = 8;
+constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
+
+// CRC-32 of ISO 3309, as PNG annex D gives it.
+class Crc {
+ public:
+  void add(const unsigned char* bytes, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      value_ = table()[(value_ ^ bytes[i]) & 0xffu] ^ (value_ >> 8);
+    }
+  }
+  std::uint32_t value() const { return ~value_; }
+
+ private:
+  static const std::array<std::uint32_t, 256>& table() {
+    static const std::array<std::uint32_t, 256> values = [] {
+      std::array<std::uint32_t, 256> t = {};
+      for (std::uint32_t n = 0; n < 256; ++n) {
+        std::uint32_t c = n;
+        for (int bit = 0; bit < 8; ++bit)
+          c = (c & 1u) != 0 ? 0xedb88320u ^ (c >> 1) : c >> 1;
+        t[n] = c;
+      }
+      return t;
+    }();
+    return values;
+  }
+  std::uint32_t value_ = 0xffffffffu;
+};
+
+std::uint32_t bigEndian(const unsigned char* bytes) {
+  return (std::uint32_t{bytes[0]} << 24) | (std::uint32_t{bytes[1]} << 16) |
+         (std::uint32_t{bytes[2]} << 8) | std::uint32_t{bytes[3]};
+}
+
+bool readBytes(std::ifstream& stream, unsigned char* out, std::size_t count) {
+  stream.read(reinterpret_cast<char*>(out), static_cast<std::streamsize>(count));
+  return static_cast<std::size_t>(stream.gcount()) == count;
+}
+
+}  // namespace
+
+Status checkPngChunks(const std::filesystem::path& path, PngExtent extent,
+                      const JobContext& context) {
+  const auto cutOff = [&] {
+    return inputError(path.string(), "the PNG file is cut off; get a complete copy");
+  };
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(kSignatureBytes);
+  std::vector<unsigned char> buffer(kBufferBytes);
+  for (;;) {
+    unsigned char head[8] = {};
+    if (!readBytes(stream, head, sizeof head)) return cutOff();
+    const std::string name(reinterpret_cast<const char*>(head + 4), 4);
+    if (extent == PngExtent::beforePixels && name == "IDAT") return {};
+    Crc crc;
+    crc.add(head + 4, 4);
+    for (std::size_t left = bigEndian(head); left > 0;) {
+      if (context.stopRequested()) return Cancelled{};
+      const std::size_t count = std::min(left, buffer.size());
+      if (!readBytes(stream, buffer.data(), count)) return cutOff();
+      crc.add(buffer.data(), count);
+      left -= count;
+    }
+    unsigned char stored[4] = {};
+    if (!readBytes(stream, stored, sizeof stored)) return cutOff();
+    if (bigEndian(stored) != crc.value()) {
+      return inputError(path.string(),
+                        "the PNG file is damaged (a checksum does not match); get a sound copy");
+    }
+    if (name == "IEND") return {};
+  }
+}
+
+}  // namespace cutis

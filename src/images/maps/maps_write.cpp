@@ -1,0 +1,104 @@
+#include <cassert>
+
+#include <nlohmann/json.hpp>
+
+#include "core/skin/profile/parameter.h"
+#include "src/files/io/atomic_write.h"
+#include "src/images/codec/image_writer.h"
+#include "src/images/codec/metadata_access.h"
+#include "src/images/maps/maps_file.h"
+#include "src/images/maps/maps_format.h"
+
+namespace cutis {
+namespace {
+
+using namespace maps_format;
+
+std::string sourcesText(const std::vector<SourceReference>& sources) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const SourceReference& source : sources) {
+    list.push_back({{"file", source.file}, {"hash", source.hash}});
+  }
+  // A file's name may be no UTF-8.
+  return list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+OIIO::ImageSpec specOf(const std::string& part, const std::vector<std::string>& channels,
+                       const Plane& size) {
+  OIIO::ImageSpec spec(size.width(), size.height(), static_cast<int>(channels.size()),
+                       OIIO::TypeFloat);
+  spec.channelnames = channels;
+  spec.alpha_channel = -1;
+  spec.attribute("oiio:subimagename", part);
+  spec.attribute("compression", "zip");
+  return spec;
+}
+
+void addAttributes(const MapsAttributes& attributes, OIIO::ImageSpec& spec) {
+  spec.attribute(kVersion, kNewestVersion);
+  spec.attribute(kProfile, attributes.profileName);
+  spec.attribute(kProfileJson, attributes.profileJson);
+  spec.attribute(kRig, attributes.rigName);
+  spec.attribute(kMethod, attributes.method);
+  spec.attribute(kExposure, OIIO::TypeDesc::DOUBLE, &attributes.exposure);
+  if (attributes.specularShare > 0.0)
+    spec.attribute(kSpecularShare, OIIO::TypeDesc::DOUBLE, &attributes.specularShare);
+  spec.attribute(kSources, sourcesText(attributes.sources));
+  spec.attribute(kSourceColorSpace, attributes.sourceColorSpace);
+}
+
+std::vector<std::string> parameterNames() {
+  std::vector<std::string> names;
+  for (const Parameter parameter : kParameters)
+    names.emplace_back(parameterName(parameter));
+  return names;
+}
+
+std::vector<Plane> constantPlanes(const ChromophoreMaps& maps) {
+  const std::vector<Plane> all = maps.planes();
+  return {all.begin() + kParameterCount, all.end()};
+}
+
+std::vector<OutputPart> partsOf(const MapsFile& file) {
+  const Plane& size = file.maps.state;
+  std::vector<OutputPart> parts;
+  const auto add = [&](const char* name, const std::vector<std::string>& channels,
+                       std::vector<Plane> planes) {
+    parts.push_back({specOf(name, channels, size), std::move(planes)});
+  };
+  add(kChromophoresPart, parameterNames(), {file.maps.values.begin(), file.maps.values.end()});
+  add(kStatePart, {"state"}, {file.maps.state});
+  if (!file.deviations.empty()) add(kDeviationPart, parameterNames(), file.deviations);
+  if (!file.residuals.empty()) add(kResidualPart, file.residualNames, file.residuals);
+  if (!file.shading.empty()) add(kShadingPart, {"shading"}, {file.shading});
+  const std::vector<std::string> constants = constantNames(file.maps.free());
+  if (!constants.empty()) add(kConstantsPart, constants, constantPlanes(file.maps));
+  if (!file.constantDeviations.empty()) {
+    add(kConstantsDeviationPart, constants, file.constantDeviations);
+  }
+  addAttributes(file.attributes, parts.front().spec);
+  return parts;
+}
+
+}  // namespace
+
+Status writeMaps(const std::filesystem::path& path, const MapsFile& file,
+                 const JobContext& context) {
+  assert(file.maps.width() > 0 && file.residuals.size() == file.residualNames.size());
+  if (path.extension() != ".exr") {
+    return usageError(path.string(), "maps are written as OpenEXR; name the file with .exr");
+  }
+  std::vector<OutputPart> parts = partsOf(file);
+  std::vector<OIIO::ImageSpec> plain;
+  for (OutputPart& part : parts) {
+    plain.push_back(part.spec);
+    // In all parts alike: EXR demands that some attributes do not differ between them.
+    MetadataAccess::add(file.metadata, false, part.spec);
+  }
+  return writeAtomically(path, [&](const std::filesystem::path& temporary) {
+    return writeParts(temporary, path.string(), ImageFileKind::openExr, SampleType::float32, parts,
+                      plain, context);
+  });
+}
+
+}  // namespace cutis

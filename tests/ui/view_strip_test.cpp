@@ -1,0 +1,71 @@
+#include "ui/view/view_strip.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+const QVector<LayerEntry> kLayers = {{"photo", "Photograph", "As taken"},
+                                     {"melanin", "Melanin", "Volume fraction"},
+                                     {"uva", "UVA", "Extrapolated"}};
+
+class LayerStripTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void layersComeSilently() {
+    ViewStrip strip;
+    const QAbstractItemModelTester tester(strip.model());
+    QSignalSpy chosen(&strip, &ViewStrip::chosen);
+    strip.setLayers(kLayers);
+    QCOMPARE(strip.current(), QString("photo"));
+    strip.setCurrent("uva");
+    QCOMPARE(strip.current(), QString("uva"));
+    strip.setLayers(kLayers);
+    QCOMPARE(strip.current(), QString("uva"));
+    QCOMPARE(chosen.count(), 0);
+    QCOMPARE(strip.width(), 152);
+  }
+
+  void clicksAndKeysChoose() {
+    ViewStrip strip;
+    strip.setLayers(kLayers);
+    strip.resize(132, 500);
+    strip.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&strip));
+    QSignalSpy chosen(&strip, &ViewStrip::chosen);
+    QTest::mouseClick(strip.viewport(), Qt::LeftButton, {},
+                      strip.visualItemRect(strip.item(1)).center());
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(chosen.last()[0].toString(), QString("melanin"));
+    QTest::keyClick(&strip, Qt::Key_Down);
+    QCOMPARE(chosen.last()[0].toString(), QString("uva"));
+  }
+
+  void aThumbnailTakesThePlaceOfThePlate() {
+    ViewStrip strip;
+    strip.setLayers(kLayers);
+    strip.resize(132, 500);
+    strip.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&strip));
+    const QPoint middle = strip.visualItemRect(strip.item(1)).center() - QPoint(0, 20);
+    QImage image(2000, 1000, QImage::Format_RGB32);
+    image.fill(qRgb(10, 200, 30));
+    strip.setThumbnail("melanin", image);
+    strip.setThumbnail("unknown", image);
+    QCOMPARE(strip.viewport()->grab().toImage().pixel(middle), qRgb(10, 200, 30));
+    strip.setLayers(kLayers);
+    QCOMPARE(strip.viewport()->grab().toImage().pixel(middle), qRgb(10, 200, 30));
+  }
+};
+
+CUTIS_TEST(LayerStripTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "view_strip_test.moc"

@@ -1,0 +1,70 @@
+#include "ui/docks/edit_controller.h"
+
+#include <array>
+#include <cstddef>
+
+#include <QScopedValueRollback>
+
+#include "ui/docks/edit_panel.h"
+
+namespace cutis {
+namespace {
+
+constexpr std::array<const char*, kParameterCount> kNames = {
+    QT_TRANSLATE_NOOP("EditController", "Melanin"),
+    QT_TRANSLATE_NOOP("EditController", "Melanin blend"),
+    QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
+    QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
+    QT_TRANSLATE_NOOP("EditController", "Carotene")};
+
+// Linked haemoglobins move together and are undone together.
+QString mergeGroupOf(int parameter) {
+  const bool haemoglobin = parameter == kHaemoglobinDermal || parameter == kHaemoglobinEpidermal;
+  return haemoglobin ? "factor haemoglobin" : QString("factor %1").arg(parameter);
+}
+
+}  // namespace
+
+EditController::EditController(Document& document, EditPanel& panel, QObject* parent)
+    : QObject(parent), document_(document), panel_(panel) {
+  connect(&panel, &EditPanel::factorChanged, this,
+          [this](int parameter, double factor, bool stillMoving) {
+            const QScopedValueRollback<bool> applying(applying_, true);
+            setFactor(parameter, factor, stillMoving);
+          });
+  connect(&panel, &EditPanel::resetWanted, this, &EditController::reset);
+  connect(&document, &Document::opened, this, &EditController::showFactors);
+  connect(&document, &Document::editsChanged, this, &EditController::showFactors);
+}
+
+void EditController::setFactor(int parameter, double factor, bool stillMoving) {
+  if (!document_.isOpen()) return;
+  const QString name = tr(kNames[static_cast<std::size_t>(parameter)]);
+  document_.apply({tr("%1 × %2").arg(name).arg(factor, 0, 'g', 3), mergeGroupOf(parameter),
+                   [parameter, factor](DocumentState& state) {
+                     if (state.edits.empty()) state.edits.emplace_back();
+                     state.edits.front().parameters[static_cast<std::size_t>(parameter)].scale =
+                         factor;
+                   },
+                   stillMoving});
+  if (!stillMoving) document_.endGroup();
+}
+
+void EditController::reset() {
+  if (!document_.isOpen()) return;
+  document_.apply({tr("Reset"), {}, [](DocumentState& state) { state.edits.clear(); }, false});
+}
+
+void EditController::showFactors() {
+  if (applying_ || !document_.isOpen()) return;
+  std::array<double, kParameterCount> factors = {};
+  factors.fill(1.0);
+  const EditStack& edits = document_.scene().edits;
+  if (!edits.empty()) {
+    for (std::size_t k = 0; k < factors.size(); ++k)
+      factors[k] = edits.front().parameters[k].scale;
+  }
+  panel_.setFactors(factors);
+}
+
+}  // namespace cutis

@@ -1,0 +1,121 @@
+#include "ui/docks/edit_panel.h"
+
+#include <algorithm>
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include "ui/theme/theme.h"
+#include "ui/widgets/parameter_slider.h"
+
+namespace cutis {
+namespace {
+
+constexpr double kNeutral = 1;
+
+}  // namespace
+
+EditPanel::EditPanel(QWidget* parent)
+    : QWidget(parent),
+      link_(new QCheckBox(tr("Link haemoglobins"), this)),
+      reset_(new QPushButton(tr("Reset"), this)) {
+  setAccessibleName(tr("Edit"));
+  auto* heading = new QLabel(tr("Edit"), this);
+  heading->setFont(theme::headingFont(*this));
+  reset_->setToolTip(tr("Back to the skin as it was photographed; this can be undone"));
+  reset_->setEnabled(false);
+  link_->setChecked(true);
+  link_->setToolTip(tr("Move both haemoglobins together, as a flush does"));
+
+  auto* head = new QHBoxLayout;
+  head->addWidget(heading);
+  head->addStretch(1);
+  head->addWidget(reset_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(theme::kHalfSpace);
+  column->addLayout(head);
+
+  addSlider(kMelanin, tr("Melanin"),
+            tr("Pigment of the upper skin. More tans and darkens, and strengthens freckles and "
+               "moles; less makes the skin paler."));
+  addSlider(kMelaninBlend, tr("Melanin blend"),
+            tr("Which melanin it is. More is brown-black eumelanin; less is reddish-yellow "
+               "pheomelanin, as in fair and freckled skin."));
+  addSlider(kCarotene, tr("Carotene"),
+            tr("Yellow pigment from food. More gives the skin a warm, golden cast; much more "
+               "looks like carotenaemia."));
+  addSlider(kHaemoglobinDermal, tr("Haemoglobin dermal"),
+            tr("Blood in the deeper skin. More flushes cheeks, nose and lips; less drains the "
+               "colour from the face."));
+  addSlider(kHaemoglobinEpidermal, tr("Haemoglobin epidermal"),
+            tr("Blood close to the surface. More reddens blemishes and irritated skin; less "
+               "calms them."));
+  column->addWidget(link_);
+
+  connect(link_, &QCheckBox::toggled, this, &EditPanel::linkToggled);
+  connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
+}
+
+void EditPanel::addSlider(Parameter parameter, const QString& name, const QString& toolTip) {
+  auto* slider = new ParameterSlider(name, toolTip, {}, this);
+  sliders_[parameter] = slider;
+  layout()->addWidget(slider);
+  connect(slider, &ParameterSlider::valueChanged, this,
+          [this, parameter](double factor, bool stillMoving) {
+            sliderMoved(parameter, factor, stillMoving);
+          });
+}
+
+void EditPanel::sliderMoved(Parameter parameter, double factor, bool stillMoving) {
+  const bool isBlood = parameter == kHaemoglobinDermal || parameter == kHaemoglobinEpidermal;
+  if (isBlood && link_->isChecked()) {
+    const Parameter partner =
+        parameter == kHaemoglobinDermal ? kHaemoglobinEpidermal : kHaemoglobinDermal;
+    sliders_[partner]->setValue(factor);
+    Q_EMIT factorChanged(partner, factor, true);
+  }
+  updateReset();
+  Q_EMIT factorChanged(parameter, factor, stillMoving);
+}
+
+// Linking brings the epidermal factor to the dermal one.
+void EditPanel::linkToggled(bool linked) {
+  const double factor = sliders_[kHaemoglobinDermal]->value();
+  if (!linked || sliders_[kHaemoglobinEpidermal]->value() == factor) return;
+  sliders_[kHaemoglobinEpidermal]->setValue(factor);
+  updateReset();
+  Q_EMIT factorChanged(kHaemoglobinEpidermal, factor, false);
+}
+
+void EditPanel::setFactors(const std::array<double, kParameterCount>& factors) {
+  for (const Parameter parameter : kParameters) {
+    sliders_[parameter]->setValue(factors[parameter]);
+  }
+  if (factors[kHaemoglobinDermal] != factors[kHaemoglobinEpidermal]) {
+    const QSignalBlocker silent(link_);
+    link_->setChecked(false);
+  }
+  updateReset();
+}
+
+std::array<double, kParameterCount> EditPanel::factors() const {
+  std::array<double, kParameterCount> factors{};
+  for (const Parameter parameter : kParameters)
+    factors[parameter] = sliders_[parameter]->value();
+  return factors;
+}
+
+bool EditPanel::haemoglobinsLinked() const {
+  return link_->isChecked();
+}
+
+void EditPanel::updateReset() {
+  reset_->setEnabled(std::any_of(sliders_.begin(), sliders_.end(),
+                                 [](const ParameterSlider* s) { return s->value() != kNeutral; }));
+}
+
+}  // namespace cutis

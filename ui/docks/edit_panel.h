@@ -1,0 +1,47 @@
+#pragma once
+
+// The five factors of an edit. 1 leaves the skin as it is.
+
+#include <array>
+
+#include <QWidget>
+
+#include "core/skin/profile/parameter.h"
+
+class QCheckBox;
+class QPushButton;
+
+namespace cutis {
+
+class ParameterSlider;
+
+class EditPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit EditPanel(QWidget* parent = nullptr);
+
+  // Indexed by Parameter. Silent. Haemoglobins that differ come unlinked.
+  void setFactors(const std::array<double, kParameterCount>& factors);
+  std::array<double, kParameterCount> factors() const;
+  bool haemoglobinsLinked() const;
+
+ Q_SIGNALS:
+  // By the user; `parameter` is a Parameter. While a slider is dragged stillMoving is true, and the
+  // drag ends with one call where it is false. Linked haemoglobins come as two calls, the partner's
+  // first and always as still moving, so that the drag of both ends once.
+  void factorChanged(int parameter, double factor, bool stillMoving);
+  void resetWanted();
+
+ private:
+  void addSlider(Parameter parameter, const QString& name, const QString& toolTip);
+  void sliderMoved(Parameter parameter, double factor, bool stillMoving);
+  void linkToggled(bool linked);
+  void updateReset();
+
+  std::array<ParameterSlider*, kParameterCount> sliders_{};
+  QCheckBox* link_;
+  QPushButton* reset_;
+};
+
+}  // namespace cutis

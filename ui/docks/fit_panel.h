@@ -1,0 +1,64 @@
+#pragma once
+
+// How the skin is fitted: profile of the skin model, method, shading. What cannot be is disabled
+// and its tool tip says why.
+
+#include <QMetaType>
+#include <QWidget>
+
+#include "src/app/open/fit_choice.h"
+
+class QCheckBox;
+class QComboBox;
+class QPushButton;
+
+namespace cutis {
+
+class FitPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  // What kind of source the choice is for.
+  enum class Subject {
+    photographs,
+    texture,
+    maps,  // they were opened as such and stay what they are
+  };
+
+  explicit FitPanel(QWidget* parent = nullptr);
+
+  // Silent. A profile that is not offered yet, a file, is offered as long as it is shown, and after
+  // keepProfile() from then on. Takes an offer of training back.
+  void show(const FitChoice& choice, Subject subject);
+  // The profile that is shown has turned out to be good.
+  void keepProfile() { tried_.clear(); }
+  FitChoice choice() const;
+
+  // There is no network for what is fitted.
+  void offerTraining();
+
+ Q_SIGNALS:
+  // By the user, also where the choice is what it was.
+  void changed(const cutis::FitChoice& choice);
+  void loadWanted();
+  void trainingWanted();
+
+ private:
+  void addForm();
+  void addOffer();
+  void offerProfile(const QString& profile);
+  void showProfile(const QString& profile, Subject subject);
+  void showMethod(const FitChoice& choice);
+  void showShading(const FitChoice& choice, Subject subject);
+
+  QComboBox* profile_;
+  QPushButton* load_;
+  QComboBox* method_;
+  QCheckBox* shading_;
+  QWidget* offer_;
+  QString tried_;  // offered, but nobody knows yet whether it is a profile
+};
+
+}  // namespace cutis
+
+Q_DECLARE_METATYPE(cutis::FitChoice)

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QStringList>
+#include <QVector>
+
+#include "ui/docks/light_choice.h"
+
+namespace cutis {
+
+// The lights of the built-in library in the groups of the light panel, and the observers and
+// cameras to look with. Names are those of src/files/spectral_library.h.
+QVector<LightGroup> lightGroups();
+QStringList observerChoices();
+
+}  // namespace cutis

@@ -1,0 +1,68 @@
+#include "ui/docks/spectrum_controller.h"
+
+#include <QVector>
+
+#include "ui/plot/spectrum_plot.h"
+#include "ui/widgets/progress_strip.h"
+
+namespace cutis {
+namespace {
+
+QVector<double> toVector(const Spectrum& spectrum) {
+  return QVector<double>(spectrum.data(), spectrum.data() + spectrum.size());
+}
+
+QString readoutOf(int x, int y, const ParameterVector& parameters) {
+  QString text = QString("x %1  y %2").arg(x).arg(y);
+  for (const Parameter parameter : kParameters) {
+    const auto symbol = parameterSymbol(parameter);
+    text += QString("   %1 %2")
+                .arg(QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size())))
+                .arg(parameters[parameter], 0, 'g', 3);
+  }
+  return text;
+}
+
+}  // namespace
+
+SpectrumController::SpectrumController(Document& document, SpectrumPlot& plot,
+                                       ProgressStrip& progress, QObject* parent)
+    : QObject(parent), document_(document), plot_(plot), progress_(progress) {
+  connect(&document, &Document::opened, this, &SpectrumController::forget);
+  connect(&document, &Document::mapsChanged, this, &SpectrumController::refresh);
+  connect(&document, &Document::sceneReplaced, this, &SpectrumController::refresh);
+  connect(&document, &Document::editsChanged, this, &SpectrumController::refresh);
+}
+
+void SpectrumController::pointAt(int x, int y) {
+  pixel_ = QPoint(x, y);
+  refresh();
+}
+
+void SpectrumController::leave() {
+  progress_.setReadout({});
+}
+
+void SpectrumController::forget() {
+  pixel_.reset();
+  plot_.clear();
+  progress_.setReadout({});
+}
+
+void SpectrumController::refresh() {
+  if (!pixel_) return;
+  const int x = pixel_->x(), y = pixel_->y();
+  const auto spectra = document_.spectraAt(x, y);
+  if (!spectra) {
+    plot_.clear();
+    progress_.setReadout(tr("x %1  y %2   no skin here").arg(x).arg(y));
+    return;
+  }
+  const bool edited = (spectra->originalParameters != spectra->editedParameters).any();
+  plot_.setCurves(toVector(spectra->original),
+                  edited ? toVector(spectra->edited) : QVector<double>());
+  plot_.setHeading(tr("Pixel %1, %2").arg(x).arg(y));
+  progress_.setReadout(readoutOf(x, y, spectra->editedParameters));
+}
+
+}  // namespace cutis

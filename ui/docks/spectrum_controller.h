@@ -1,0 +1,39 @@
+#pragma once
+
+// Joins the cursor to the spectrum plot and the read-out: shows the spectra of the pixel under it,
+// computed exactly, and keeps the last one when it leaves. Interface thread only.
+
+#include <optional>
+
+#include <QObject>
+#include <QPoint>
+
+#include "src/app/document/document.h"
+
+namespace cutis {
+
+class ProgressStrip;
+class SpectrumPlot;
+
+class SpectrumController : public QObject {
+  Q_OBJECT
+
+ public:
+  // All outlive the controller.
+  SpectrumController(Document& document, SpectrumPlot& plot, ProgressStrip& progress,
+                     QObject* parent = nullptr);
+
+  void pointAt(int x, int y);
+  void leave();
+
+ private:
+  void refresh();
+  void forget();
+
+  Document& document_;
+  SpectrumPlot& plot_;
+  ProgressStrip& progress_;
+  std::optional<QPoint> pixel_;  // of the spectrum that is shown
+};
+
+}  // namespace cutis

@@ -1,0 +1,79 @@
+#pragma once
+
+// Plot of reflectance against wavelength, 300–1000 nm: original and edited curve, the photograph's
+// channels as points with bars, the bands shaded and named, and a crosshair with the numbers under
+// it. The crosshair follows the mouse, or the arrow keys when the plot has the keyboard (shift: one
+// sample; escape hides it).
+//
+// Reflectance is a share: 0 none, 1 a perfect diffuser. NaN leaves a gap. Interface thread only.
+
+#include <optional>
+
+#include <QString>
+#include <QVector>
+#include <QWidget>
+
+#include "ui/plot/spectrum_axes.h"
+
+namespace cutis {
+
+// One channel of the photograph, as reflectance.
+struct MeasuredChannel {
+  QString name;             // "white, G"
+  double wavelengthNm = 0;  // where most of its response lies
+  double halfWidthNm = 0;   // of its response; drawn as a horizontal bar
+  double reflectance = 0;
+  double deviation = 0;  // standard deviation; drawn as a vertical bar
+};
+
+class SpectrumPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SpectrumPlot(QWidget* parent = nullptr);
+
+  // On the grid of core/spectra/grid.h, 351 values each; an empty `edited` draws the original
+  // alone. A curve of any other length is taken as empty.
+  void setCurves(const QVector<double>& original, const QVector<double>& edited);
+  void setMeasured(const QVector<MeasuredChannel>& channels);
+  // What the curves belong to: "Pixel 812, 440".
+  void setHeading(const QString& heading);
+  // Back to the empty state.
+  void clear();
+
+  // Where a value is drawn, in the widget's pixels.
+  QPointF pointAt(double wavelengthNm, double reflectance) const;
+  // The upper end of the axis, which starts at 0.
+  double maximum() const { return maximum_; }
+  // The sample under the crosshair.
+  std::optional<int> crosshair() const { return crosshair_; }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  SpectrumAxes axes() const;
+  std::optional<double> markedNm() const;
+  void setCrosshair(std::optional<int> sample);
+  void fitAxis();
+  void drawCurve(QPainter& painter, const QVector<double>& curve, const QPen& pen) const;
+  void drawMeasured(QPainter& painter) const;
+  QString legendText(const QString& name, const QVector<double>& curve) const;
+  void drawTitleLine(QPainter& painter) const;
+  void drawCrosshair(QPainter& painter) const;
+
+  QVector<double> original_;
+  QVector<double> edited_;
+  QVector<MeasuredChannel> measured_;
+  QString heading_;
+  double maximum_ = 1;
+  std::optional<int> crosshair_;
+};
+
+}  // namespace cutis

@@ -1,0 +1,202 @@
+#include "ui/theme/theme.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QFormLayout>
+#include <QPainter>
+#include <QPalette>
+#include <QProxyStyle>
+#include <QStyleFactory>
+#include <QStyleOption>
+#include <QWidget>
+
+namespace cutis::theme {
+namespace {
+
+Tones darkTones() {
+  Tones tones;
+  tones.surround = QColor(0x35, 0x35, 0x35);  // L* 22
+  tones.panel = QColor(0x2b, 0x2b, 0x2b);
+  tones.field = QColor(0x1e, 0x1e, 0x1e);
+  tones.raised = QColor(0x3c, 0x3c, 0x3c);
+  tones.line = QColor(0x4a, 0x4a, 0x4a);
+  tones.text = QColor(0xdc, 0xdc, 0xdc);
+  tones.dimText = QColor(0xa2, 0xa2, 0xa2);
+  tones.accent = QColor(0x6f, 0xa8, 0xdc);
+  tones.original = QColor(0x8f, 0xbf, 0xea);
+  tones.edited = QColor(0xf5, 0xa7, 0x4f);
+  tones.error = QColor(0xf0, 0x82, 0x6a);
+  tones.plotBand = QColor(0x24, 0x24, 0x24);
+  tones.plotOuterBand = QColor(0x1a, 0x1a, 0x1a);
+  tones.gridLine = QColor(0x38, 0x38, 0x38);
+  return tones;
+}
+
+QPalette paletteOf(const Tones& tones) {
+  QPalette palette(tones.raised, tones.panel);
+  palette.setColor(QPalette::Window, tones.panel);
+  palette.setColor(QPalette::WindowText, tones.text);
+  palette.setColor(QPalette::Base, tones.field);
+  palette.setColor(QPalette::AlternateBase, tones.panel);
+  palette.setColor(QPalette::Text, tones.text);
+  palette.setColor(QPalette::Button, tones.raised);
+  palette.setColor(QPalette::ButtonText, tones.text);
+  palette.setColor(QPalette::BrightText, Qt::white);
+  palette.setColor(QPalette::ToolTipBase, QColor(0x14, 0x14, 0x14));
+  palette.setColor(QPalette::ToolTipText, tones.text);
+  palette.setColor(QPalette::PlaceholderText, tones.dimText);
+  palette.setColor(QPalette::Highlight, tones.accent);
+  palette.setColor(QPalette::HighlightedText, QColor(0x10, 0x10, 0x10));
+  palette.setColor(QPalette::Link, tones.accent);
+  palette.setColor(QPalette::LinkVisited, tones.accent);
+  const QColor off(0x78, 0x78, 0x78);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, off);
+  }
+  palette.setColor(QPalette::Disabled, QPalette::Highlight, tones.line);
+  palette.setColor(QPalette::Disabled, QPalette::HighlightedText, off);
+  return palette;
+}
+
+// As flat as the buttons of the style sheet, which cannot draw an arrow without a picture file.
+void drawComboBox(QPainter& painter, const QStyleOptionComboBox& box) {
+  const bool enabled = box.state & QStyle::State_Enabled;
+  const bool lit = enabled && box.state & QStyle::State_MouseOver;
+  const QRectF frame = QRectF(box.rect).adjusted(0.5, 0.5, -0.5, -0.5);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(tones().line);
+  painter.setBrush(lit ? QColor(0x47, 0x47, 0x47) : tones().raised);
+  painter.drawRoundedRect(frame, kCornerRadius, kCornerRadius);
+  const QPointF tip(frame.right() - 11, frame.center().y() + 2.5);
+  painter.setPen(QPen(enabled ? tones().dimText : tones().line, 1.6, Qt::SolidLine, Qt::RoundCap));
+  painter.drawPolyline(QPolygonF({tip + QPointF(-4, -4), tip, tip + QPointF(4, -4)}));
+  painter.restore();
+  if (box.state & QStyle::State_HasFocus) drawFocusRing(painter, QRectF(box.rect));
+}
+
+// Fusion hints at the focus too faintly for a dark theme.
+class Style : public QProxyStyle {
+ public:
+  Style() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    if (element != PE_FrameFocusRect) {
+      QProxyStyle::drawPrimitive(element, option, painter, widget);
+    } else if (option->state & State_KeyboardFocusChange) {
+      drawFocusRing(*painter, QRectF(option->rect));
+    }
+  }
+
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override {
+    const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (control == CC_ComboBox && box && !box->editable) {
+      drawComboBox(*painter, *box);
+    } else {
+      QProxyStyle::drawComplexControl(control, option, painter, widget);
+    }
+  }
+
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* result) const override {
+    // The wheel scrolls the panel and chooses nothing on its way.
+    if (hint == SH_ComboBox_AllowWheelScrolling) return 0;
+    // Lists follow the arrow keys and one click everywhere.
+    if (hint == SH_ItemView_ActivateItemOnSingleClick) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, result);
+  }
+};
+
+// Fusion's gloss and gradients are lights beside the picture: buttons, bars and lists are flat
+// here.
+constexpr const char* kStyleSheet = R"(
+QToolTip { color: @text; background: #141414; border: 1px solid @line; padding: 4px; }
+QPushButton { color: @text; background: @raised; border: 1px solid @line; border-radius: 4px;
+  padding: 4px 12px; }
+QPushButton:hover { background: #474747; }
+QPushButton:pressed { background: @field; }
+QPushButton:disabled { color: #787878; background: transparent; border-color: #3a3a3a; }
+QPushButton:focus { border: 1px solid @accent; }
+QPushButton[primary="true"] { color: #101010; background: @accent; border-color: @accent; }
+QPushButton[primary="true"]:hover { background: #86b8e6; }
+QPushButton[primary="true"]:pressed { background: #5a92c6; }
+QPushButton[primary="true"]:focus { border: 2px solid @text; }
+QToolButton[segment="true"] { color: @dim; background: @field; border: 1px solid @line;
+  padding: 4px 6px; }
+QToolButton[segment="true"]:hover { color: @text; }
+QToolButton[segment="true"]:checked { color: @text; background: @raised;
+  border-bottom: 2px solid @accent; padding-bottom: 3px; }
+QToolButton[segment="true"]:focus { border: 1px solid @accent; }
+QProgressBar { background: @field; border: 1px solid @line; border-radius: 4px; }
+QProgressBar::chunk { background: @accent; border-radius: 3px; }
+QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
+QScrollBar:horizontal { background: transparent; height: 8px; margin: 0; }
+QScrollBar::handle { background: #565656; border-radius: 3px; margin: 1px; }
+QScrollBar::handle:vertical { min-height: 32px; }
+QScrollBar::handle:horizontal { min-width: 32px; }
+QScrollBar::handle:hover { background: #6e6e6e; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+)";
+
+QString styleSheetOf(const Tones& tones) {
+  QString sheet = kStyleSheet;
+  sheet.replace("@text", tones.text.name());
+  sheet.replace("@dim", tones.dimText.name());
+  sheet.replace("@line", tones.line.name());
+  sheet.replace("@raised", tones.raised.name());
+  sheet.replace("@field", tones.field.name());
+  sheet.replace("@accent", tones.accent.name());
+  return sheet;
+}
+
+}  // namespace
+
+const Tones& tones() {
+  static const Tones dark = darkTones();
+  return dark;
+}
+
+void apply(QApplication& application) {
+  QApplication::setStyle(new Style);
+  QApplication::setPalette(paletteOf(tones()));
+  application.setStyleSheet(styleSheetOf(tones()));
+}
+
+void alignForm(QFormLayout& form) {
+  form.setContentsMargins(0, 0, 0, 0);
+  form.setSpacing(kSpace);
+  form.setLabelAlignment(Qt::AlignLeft);
+  for (int row = 0; row < form.rowCount(); ++row) {
+    const QLayoutItem* label = form.itemAt(row, QFormLayout::LabelRole);
+    if (label) label->widget()->setMinimumWidth(kLabelWidth);
+  }
+}
+
+QFont smallFont(const QWidget& widget) {
+  QFont font = widget.font();
+  if (font.pointSizeF() > 0) font.setPointSizeF(font.pointSizeF() * 0.9);
+  return font;
+}
+
+QFont headingFont(const QWidget& widget) {
+  QFont font = widget.font();
+  font.setBold(true);
+  return font;
+}
+
+void drawFocusRing(QPainter& painter, const QRectF& rect) {
+  constexpr qreal kWidth = 1.5;
+  const qreal inset = kWidth / 2;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(tones().accent, kWidth));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(rect.adjusted(inset, inset, -inset, -inset), kCornerRadius - 1,
+                          kCornerRadius - 1);
+  painter.restore();
+}
+
+}  // namespace cutis::theme

@@ -1,0 +1,78 @@
+#include "ui/view/view_catalogue.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+
+namespace cutis {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("LayerCatalogue", text);
+}
+
+std::vector<LayerDescription> makeCatalogue() {
+  constexpr auto sequential = ScaleKind::sequential;
+  constexpr auto grey = ScaleKind::grey;
+  return {
+      {ViewKind::photograph,
+       "photograph",
+       tr("Photograph"),
+       tr("What was opened, as it is under daylight"),
+       std::nullopt,
+       {},
+       true},
+      {ViewKind::editedAlbedo,
+       "albedo",
+       tr("Edited albedo"),
+       tr("What an export writes: the photograph, changed by as much as the edits change the skin"),
+       std::nullopt,
+       {},
+       true},
+      {ViewKind::skin,
+       "skin",
+       tr("Skin"),
+       tr("The skin model alone, under the chosen light"),
+       std::nullopt,
+       {},
+       false},
+      {ViewKind::melanin, "melanin", tr("Melanin"), tr("Share of the epidermis that is melanin"),
+       sequential, tr("volume fraction"), false},
+      {ViewKind::melaninBlend, "melanin_blend", tr("Melanin blend"),
+       tr("Share of eumelanin (brown to black); the rest is pheomelanin (red to yellow)"),
+       sequential, tr("share of eumelanin"), false},
+      {ViewKind::haemoglobinDermal, "haemoglobin_dermal", tr("Haemoglobin dermal"),
+       tr("Share of the dermis that is blood"), sequential, tr("volume fraction"), false},
+      {ViewKind::haemoglobinEpidermal, "haemoglobin_epidermal", tr("Haemoglobin epidermal"),
+       tr("Share of blood near the surface"), sequential, tr("volume fraction"), false},
+      {ViewKind::carotene, "carotene", tr("Carotene"), tr("β-Carotene in the epidermis"),
+       sequential, tr("g/L"), false},
+      {ViewKind::ultraviolet, "uv", tr("UV"),
+       tr("Mean reflectance from 300 to 400 nm; predicted by the model, not measured"), grey,
+       tr("reflectance"), false},
+      {ViewKind::nearInfrared, "nir", tr("NIR"),
+       tr("Mean reflectance from 700 to 1000 nm; predicted by the model, not measured"), grey,
+       tr("reflectance"), false},
+  };
+}
+
+}  // namespace
+
+const std::vector<LayerDescription>& layerCatalogue() {
+  static const std::vector<LayerDescription> catalogue = makeCatalogue();
+  return catalogue;
+}
+
+const LayerDescription& describe(ViewKind kind) {
+  const auto& all = layerCatalogue();
+  return *std::find_if(all.begin(), all.end(), [kind](const auto& d) { return d.kind == kind; });
+}
+
+std::optional<ViewKind> layerById(const QString& id) {
+  for (const LayerDescription& layer : layerCatalogue()) {
+    if (layer.id == id) return layer.kind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cutis

@@ -1,0 +1,69 @@
+#pragma once
+
+// Joins the layers of a document to the viewport and the layers strip: asks the layer server for
+// what is in view, turns it into images, keeps the ranges of the false colours.
+//
+// Interface thread only.
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include <QObject>
+
+#include "src/app/document/document.h"
+#include "src/app/document/view_server.h"
+#include "ui/view/view_image.h"
+
+namespace cutis {
+
+class ViewStrip;
+class Viewport;
+
+class ViewController : public QObject {
+  Q_OBJECT
+
+ public:
+  // All outlive the controller.
+  ViewController(Document& document, ViewServer& server, Viewport& viewport, ViewStrip& strip,
+                 QObject* parent = nullptr);
+  ~ViewController() override;
+
+  ViewKind current() const { return current_; }
+  // A layer that the document does not have is ignored.
+  void show(ViewKind layer);
+
+ Q_SIGNALS:
+  void currentChanged();
+
+ private:
+  using Part = std::shared_ptr<const ViewPart>;
+
+  void open();
+  bool isOffered(ViewKind layer) const;
+  void wantDetail();
+  void wantOverview();
+  void takeThumbnail(const Part& part);
+  void takeRange(const Part& part);
+  void showDetail();
+  void showOverview();
+  void showColorBar();
+  QImage imageOf(const ViewPart& part) const;
+  bool isNeutral() const;
+
+  Document& document_;
+  ViewServer& server_;
+  Viewport& viewport_;
+  ViewStrip& strip_;
+  ViewKind current_ = ViewKind::photograph;
+  // Of the unedited maps, so that an edit is seen as a change of colour; of the edited ones where
+  // there are no others yet.
+  std::map<ViewKind, DisplayRange> ranges_;
+  Part detail_;
+  Part overview_;
+  std::unique_ptr<ViewWatch> detailWatch_;
+  std::unique_ptr<ViewWatch> overviewWatch_;
+  std::vector<std::unique_ptr<ViewWatch>> thumbnailWatches_;
+};
+
+}  // namespace cutis

@@ -1,0 +1,96 @@
+#include "ui/view/view_image.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/spectra/colorimetry.h"
+
+namespace cutis {
+namespace {
+
+// Fine enough that a step of the table is a fifth of a step of 8 bits where the curve is steepest.
+constexpr int kCurveSamples = 16384;
+constexpr double kShareBelowMaximum = 0.995;
+
+const std::array<std::uint8_t, kCurveSamples>& displayCurve() {
+  static const auto curve = [] {
+    std::array<std::uint8_t, kCurveSamples> samples = {};
+    for (int i = 0; i < kCurveSamples; ++i) {
+      const double linear = static_cast<double>(i) / (kCurveSamples - 1);
+      samples[static_cast<std::size_t>(i)] =
+          static_cast<std::uint8_t>(std::lround(255.0 * encodeSrgb(linear)));
+    }
+    return samples;
+  }();
+  return curve;
+}
+
+int displayed(float linear) {
+  const float clamped = std::clamp(linear, 0.0f, 1.0f);
+  return displayCurve()[static_cast<std::size_t>(clamped * (kCurveSamples - 1) + 0.5f)];
+}
+
+// color(i) gives the colour of sample i where there is an estimate.
+template <typename Color>
+QImage makeImage(const PictureBuffer& pixels, Color color) {
+  QImage image(pixels.width, pixels.height, QImage::Format_RGB32);
+  for (int y = 0; y < pixels.height; ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < pixels.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                            static_cast<std::size_t>(x);
+      line[x] = pixels.present[i] ? color(i) : maskedPixel(x, y);
+    }
+  }
+  return image;
+}
+
+// The next of 1, 1.5, 2, 3, 4, 5, 6, 8, 10 times a power of ten.
+double roundUp(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double digit : {1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+    if (value <= digit * power) return digit * power;
+  }
+  return 10.0 * power;
+}
+
+}  // namespace
+
+QImage colorImage(const ViewPart& part) {
+  const auto& channels = part.pixels.channels;
+  if (channels.size() < 3) return {};
+  return makeImage(part.pixels, [&](std::size_t i) {
+    return qRgb(displayed(channels[0][i]), displayed(channels[1][i]), displayed(channels[2][i]));
+  });
+}
+
+QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange& range) {
+  if (part.pixels.channels.empty()) return {};
+  const ColorScale& colors = ColorScale::of(scale);
+  const auto& values = part.pixels.channels.front();
+  return makeImage(part.pixels, [&](std::size_t i) {
+    return colors.at(double{values[i]}, range.minimum, range.maximum);
+  });
+}
+
+DisplayRange rangeOf(const ViewPart& part) {
+  std::vector<float> values;
+  if (!part.pixels.channels.empty()) {
+    for (std::size_t i = 0; i < part.pixels.present.size(); ++i) {
+      if (part.pixels.present[i]) values.push_back(part.pixels.channels.front()[i]);
+    }
+  }
+  if (values.empty()) return {};
+  const auto nearlyAll =
+      values.begin() +
+      static_cast<std::ptrdiff_t>(kShareBelowMaximum * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nearlyAll, values.end());
+  constexpr double kSmallestRange = 1e-4;
+  return {0.0, roundUp(std::max(double{*nearlyAll}, kSmallestRange))};
+}
+
+}  // namespace cutis

@@ -1,0 +1,26 @@
+#pragma once
+
+// Parts of layers as images for the screen.
+
+#include <QImage>
+
+#include "src/app/document/view_part.h"
+#include "ui/view/color_scale.h"
+
+namespace cutis {
+
+// What the ends of a false-colour scale stand for.
+struct DisplayRange {
+  double minimum = 0.0;
+  double maximum = 1.0;
+};
+
+// Linear Rec.709 to sRGB, clamped; pixels without an estimate are hatched. RGB32.
+QImage colorImage(const ViewPart& part);
+// One channel through a scale. RGB32.
+QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange& range);
+
+// From 0 to a round number just above nearly all values (99.5 %) of a part.
+DisplayRange rangeOf(const ViewPart& part);
+
+}  // namespace cutis

@@ -1,0 +1,85 @@
+#include "ui/view/view_strip.h"
+
+#include <QHash>
+#include <QImage>
+#include <QSignalBlocker>
+
+#include "ui/theme/theme.h"
+#include "ui/view/view_delegate.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kWidth = 152;
+// Thumbnails keep enough pixels for a display at 2 ×.
+constexpr int kLargestRatio = 2;
+
+}  // namespace
+
+ViewStrip::ViewStrip(QWidget* parent) : QListWidget(parent) {
+  setAccessibleName(tr("Layers"));
+  setFixedWidth(kWidth);
+  setFrameShape(QFrame::NoFrame);
+  setItemDelegate(new ViewDelegate(this));
+  setSelectionMode(SingleSelection);
+  setVerticalScrollMode(ScrollPerPixel);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setMouseTracking(true);
+  setSpacing(2);
+  setViewportMargins(2, theme::kHalfSpace, 0, 0);
+  // Darker than the plates would hide them.
+  QPalette neutral = palette();
+  neutral.setColor(QPalette::Base, theme::tones().panel);
+  setPalette(neutral);
+  connect(this, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item) Q_EMIT chosen(item->data(ViewDelegate::kIdRole).toString());
+  });
+}
+
+void ViewStrip::setLayers(const QVector<LayerEntry>& layers) {
+  const QSignalBlocker silent(this);
+  const QString kept = current();
+  QHash<QString, QVariant> thumbnails;
+  for (int row = 0; row < count(); ++row) {
+    thumbnails[item(row)->data(ViewDelegate::kIdRole).toString()] =
+        item(row)->data(ViewDelegate::kThumbnailRole);
+  }
+  QListWidget::clear();
+  for (const LayerEntry& layer : layers) {
+    auto* added = new QListWidgetItem(layer.name, this);
+    added->setToolTip(layer.toolTip);
+    added->setData(ViewDelegate::kIdRole, layer.id);
+    added->setData(ViewDelegate::kThumbnailRole, thumbnails.value(layer.id));
+  }
+  QListWidgetItem* found = itemOf(kept);
+  setCurrentItem(found ? found : item(0));
+}
+
+void ViewStrip::setThumbnail(const QString& id, const QImage& image) {
+  QListWidgetItem* found = itemOf(id);
+  if (!found) return;
+  const QSize most = ViewDelegate::kThumbnailSize * kLargestRatio;
+  const bool large = image.width() > most.width() || image.height() > most.height();
+  const QImage kept =
+      large ? image.scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation) : image;
+  found->setData(ViewDelegate::kThumbnailRole, kept);
+}
+
+void ViewStrip::setCurrent(const QString& id) {
+  const QSignalBlocker silent(this);
+  if (QListWidgetItem* found = itemOf(id)) setCurrentItem(found);
+}
+
+QString ViewStrip::current() const {
+  const QListWidgetItem* item = currentItem();
+  return item ? item->data(ViewDelegate::kIdRole).toString() : QString();
+}
+
+QListWidgetItem* ViewStrip::itemOf(const QString& id) const {
+  for (int row = 0; row < count(); ++row) {
+    if (item(row)->data(ViewDelegate::kIdRole).toString() == id) return item(row);
+  }
+  return nullptr;
+}
+
+}  // namespace cutis

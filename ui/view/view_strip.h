@@ -1,0 +1,42 @@
+#pragma once
+
+// The column of layers: photograph, reconstruction, chromophore maps, … One is always current; a
+// click or the arrow keys choose another. Interface thread only.
+
+#include <QListWidget>
+#include <QString>
+#include <QVector>
+
+namespace cutis {
+
+struct LayerEntry {
+  QString id;  // unique in the strip
+  QString name;
+  QString toolTip;
+};
+
+class ViewStrip : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit ViewStrip(QWidget* parent = nullptr);
+
+  // Keeps thumbnails, and the current layer, of ids that stay. Silent.
+  void setLayers(const QVector<LayerEntry>& layers);
+  // Any size and shape, fitted into the plate; a null image brings the empty plate back. An unknown
+  // id is ignored: its layer may have gone while the image was computed.
+  void setThumbnail(const QString& id, const QImage& image);
+  // Silent.
+  void setCurrent(const QString& id);
+  // Empty if there is none.
+  QString current() const;
+
+ Q_SIGNALS:
+  // By the user.
+  void chosen(const QString& id);
+
+ private:
+  QListWidgetItem* itemOf(const QString& id) const;
+};
+
+}  // namespace cutis

@@ -1,0 +1,257 @@
+#include "ui/view/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QFocusEvent>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QStyleHints>
+#include <QWheelEvent>
+
+#include "ui/theme/theme.h"
+
+namespace cutis {
+namespace {
+
+constexpr double kFitMargin = 12;      // device-independent pixels
+constexpr double kArrowDistance = 64;  // device-independent pixels
+// One notch of a wheel; a touchpad sends fractions of it.
+constexpr double kZoomPerNotch = 1.25;
+constexpr double kNotch = 120;
+
+}  // namespace
+
+Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Picture"));
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setMinimumSize(160, 120);
+}
+
+void Viewport::setPictureSize(int width, int height) {
+  images_ = {};
+  toldStep_ = 0;
+  geometry_.setPicture({width, height});
+  viewMoved();
+}
+
+void Viewport::setOverview(const QImage& image) {
+  images_.overview = image;
+  update();
+}
+
+void Viewport::setDetail(const QImage& image, const Rect& covered, int step) {
+  images_.detail = image;
+  images_.covered = covered;
+  images_.step = std::max(step, 1);
+  update();
+}
+
+void Viewport::clear() {
+  setPictureSize(0, 0);
+}
+
+void Viewport::setColorBar(const std::optional<ColorBarSpec>& spec) {
+  if (spec == colorBar_) return;
+  colorBar_ = spec;
+  update();
+}
+
+QPointF Viewport::toWidget(const QPointF& image) const {
+  return geometry_.toDevice(image) / devicePixelRatioF();
+}
+
+QPointF Viewport::toImage(const QPointF& widget) const {
+  return geometry_.toImage(widget * devicePixelRatioF());
+}
+
+void Viewport::fitPicture() {
+  geometry_.fit();
+  viewMoved();
+}
+
+void Viewport::zoomOneToOne() {
+  geometry_.zoomTo(1, anchor());
+  viewMoved();
+}
+
+void Viewport::zoomBy(double factor) {
+  geometry_.zoomBy(factor, anchor());
+  viewMoved();
+}
+
+QPointF Viewport::anchor() const {
+  return cursor_ ? *cursor_ * devicePixelRatioF() : geometry_.middle();
+}
+
+std::optional<QPoint> Viewport::pixelAt(const QPointF& widget) const {
+  if (!geometry_.hasPicture()) return {};
+  const QPointF image = toImage(widget);
+  const QPoint pixel(static_cast<int>(std::floor(image.x())),
+                     static_cast<int>(std::floor(image.y())));
+  if (!QRect(QPoint(0, 0), geometry_.picture()).contains(pixel)) return {};
+  return pixel;
+}
+
+void Viewport::viewMoved() {
+  update();
+  const Rect visible = geometry_.visible();
+  const int step = geometry_.step();
+  if (visible != toldVisible_ || step != toldStep_) {
+    toldVisible_ = visible;
+    toldStep_ = step;
+    Q_EMIT viewChanged(visible, step);
+  }
+  // Under a still cursor the picture has moved.
+  updateCursor();
+}
+
+void Viewport::updateCursor() {
+  const std::optional<QPoint> pixel = cursor_ ? pixelAt(*cursor_) : std::nullopt;
+  if (pixel) {
+    cursorOnPicture_ = true;
+    Q_EMIT cursorMoved(pixel->x(), pixel->y());
+  } else if (cursorOnPicture_) {
+    cursorOnPicture_ = false;
+    Q_EMIT cursorLeft();
+  }
+}
+
+void Viewport::updateShape() {
+  if (grabbed_) {
+    setCursor(Qt::ClosedHandCursor);
+  } else if (spaceHeld_) {
+    setCursor(Qt::OpenHandCursor);
+  } else {
+    unsetCursor();
+  }
+}
+
+void Viewport::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), theme::tones().surround);
+  painter.save();
+  painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
+  images_.draw(painter, geometry_);
+  painter.restore();
+  if (colorBar_) {
+    drawColorBar(painter, font(),
+                 {double(theme::kDoubleSpace), double(height() - theme::kDoubleSpace)}, *colorBar_);
+  }
+  if (showFocus_) theme::drawFocusRing(painter, QRectF(rect()));
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+  const double ratio = devicePixelRatioF();
+  geometry_.setView((QSizeF(size()) * ratio).toSize(), kFitMargin * ratio);
+  viewMoved();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  cursor_ = event->position();
+  const double notches = event->angleDelta().y() / kNotch;
+  if (notches != 0) zoomBy(std::pow(kZoomPerNotch, notches));
+  event->accept();
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  const bool pans =
+      event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && spaceHeld_);
+  if (pans) {
+    grabbed_ = event->position();
+    updateShape();
+  } else if (event->button() == Qt::LeftButton) {
+    pressed_ = event->position();
+  }
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  cursor_ = event->position();
+  if (grabbed_) {
+    const QPointF moved = event->position() - *grabbed_;
+    grabbed_ = event->position();
+    geometry_.pan(moved * devicePixelRatioF());
+    viewMoved();
+    return;
+  }
+  if (pressed_) {
+    const int far = QGuiApplication::styleHints()->startDragDistance();
+    if ((event->position() - *pressed_).manhattanLength() >= far) pressed_.reset();
+  }
+  updateCursor();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  if (grabbed_) {
+    grabbed_.reset();
+    updateShape();
+  } else if (pressed_ && event->button() == Qt::LeftButton) {
+    const std::optional<QPoint> pixel = pixelAt(*pressed_);
+    pressed_.reset();
+    if (pixel) Q_EMIT clicked(pixel->x(), pixel->y());
+  }
+}
+
+void Viewport::leaveEvent(QEvent*) {
+  cursor_.reset();
+  updateCursor();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+  const double far = kArrowDistance * devicePixelRatioF();
+  QPointF move;
+  switch (event->key()) {
+    case Qt::Key_F:
+      return fitPicture();
+    case Qt::Key_1:
+      return zoomOneToOne();
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return zoomBy(kZoomPerNotch);
+    case Qt::Key_Minus:
+      return zoomBy(1 / kZoomPerNotch);
+    case Qt::Key_Left:
+      move = {far, 0};
+      break;
+    case Qt::Key_Right:
+      move = {-far, 0};
+      break;
+    case Qt::Key_Up:
+      move = {0, far};
+      break;
+    case Qt::Key_Down:
+      move = {0, -far};
+      break;
+    case Qt::Key_Space:
+      if (!event->isAutoRepeat()) spaceHeld_ = true;
+      return updateShape();
+    default:
+      return QWidget::keyPressEvent(event);
+  }
+  geometry_.pan(move);
+  viewMoved();
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Space) return QWidget::keyReleaseEvent(event);
+  if (!event->isAutoRepeat()) spaceHeld_ = false;
+  updateShape();
+}
+
+void Viewport::focusInEvent(QFocusEvent* event) {
+  showFocus_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  update();
+}
+
+void Viewport::focusOutEvent(QFocusEvent*) {
+  showFocus_ = false;
+  spaceHeld_ = false;  // its release goes elsewhere
+  updateShape();
+  update();
+}
+
+}  // namespace cutis

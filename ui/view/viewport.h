@@ -1,0 +1,103 @@
+#pragma once
+
+// The view of the picture. It shows what it is given and says what it needs: after viewChanged the
+// owner computes the visible pixels at that step and hands them back by setDetail. Until they come
+// the overview, stretched, stands in, so that panning and zooming never wait.
+//
+// Keys: F whole picture, 1 one image pixel per device pixel, + and − zoom, arrows pan; wheel zooms
+// about the cursor; space and drag, or the middle button, pan. Interface thread only.
+
+#include <optional>
+
+#include <QImage>
+#include <QPoint>
+#include <QWidget>
+
+#include "core/base/rect.h"
+#include "ui/view/color_bar.h"
+#include "ui/view/picture_images.h"
+#include "ui/view/view_geometry.h"
+
+namespace cutis {
+
+class Viewport : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Viewport(QWidget* parent = nullptr);
+
+  // In image pixels. Drops the images of the picture before and fits the new one.
+  void setPictureSize(int width, int height);
+  // The whole picture at any resolution. QImage::Format_RGB32 draws fastest, here and below.
+  void setOverview(const QImage& image);
+  // The pixels of `covered`, in image pixels, one sample of `image` per `step` pixels.
+  void setDetail(const QImage& image, const Rect& covered, int step);
+  // No picture.
+  void clear();
+
+  // In the lower left corner; nothing hides it.
+  void setColorBar(const std::optional<ColorBarSpec>& spec);
+
+  // Device pixels per image pixel.
+  double zoom() const { return geometry_.scale(); }
+  bool fitted() const { return geometry_.fitted(); }
+  // As last told by viewChanged; empty without a picture.
+  Rect visibleRect() const { return geometry_.visible(); }
+  int samplingStep() const { return geometry_.step(); }
+  // Between image pixels and the widget's device-independent ones.
+  QPointF toWidget(const QPointF& image) const;
+  QPointF toImage(const QPointF& widget) const;
+
+ public Q_SLOTS:
+  void fitPicture();
+  // About the cursor if it is over the view, else about the middle.
+  void zoomOneToOne();
+  void zoomBy(double factor);
+
+ Q_SIGNALS:
+  // The pixels in view (cut to the picture; empty if it is out of view) and the largest sampling
+  // step that gives a sample for every device pixel. Only when one of the two has changed, or there
+  // is another picture.
+  void viewChanged(const cutis::Rect& visible, int step);
+  // Image pixel under the cursor; cursorLeft once when it leaves the picture.
+  void cursorMoved(int x, int y);
+  void cursorLeft();
+  // Left button pressed and released on one spot of the picture.
+  void clicked(int x, int y);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  std::optional<QPoint> pixelAt(const QPointF& widget) const;
+  QPointF anchor() const;
+  void viewMoved();
+  void updateCursor();
+  void updateShape();
+
+  ViewGeometry geometry_;
+  PictureImages images_;
+  std::optional<ColorBarSpec> colorBar_;
+
+  Rect toldVisible_;
+  int toldStep_ = 0;
+
+  std::optional<QPointF> cursor_;   // device-independent, while over the widget
+  std::optional<QPointF> grabbed_;  // where the picture was last dragged to
+  std::optional<QPointF> pressed_;  // where a click may end
+  bool cursorOnPicture_ = false;
+  bool spaceHeld_ = false;
+  bool showFocus_ = false;
+};
+
+}  // namespace cutis

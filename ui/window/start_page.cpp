@@ -1,0 +1,159 @@
+#include "ui/window/start_page.h"
+
+#include <QDragEnterEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QPainter>
+#include <QPushButton>
+#include <QUrl>
+
+#include "ui/theme/theme.h"
+#include "ui/widgets/recent_list.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kColumnWidth = 520;
+constexpr int kDropHeight = 104;
+constexpr int kPrimaryHeight = 40;
+constexpr int kButtonHeight = 32;
+
+QStringList filesOf(const QMimeData* data) {
+  QStringList files;
+  for (const QUrl& url : data->urls()) {
+    if (url.isLocalFile()) files << url.toLocalFile();
+  }
+  return files;
+}
+
+QLabel* dimLabel(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  QPalette palette = label->palette();
+  palette.setColor(QPalette::WindowText, theme::tones().dimText);
+  label->setPalette(palette);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Start page"));
+  setAcceptDrops(true);
+
+  auto* column = new QWidget(this);
+  column->setFixedWidth(kColumnWidth + 2 * theme::kSpace);
+  auto* title = new QLabel(tr("Cutis"), column);
+  QFont large = font();
+  large.setPointSizeF(font().pointSizeF() * 2.6);
+  title->setFont(large);
+  auto* promise =
+      dimLabel(tr("Edit skin by what it is made of: melanin, haemoglobin and carotene."), column);
+
+  sample_ = new QPushButton(tr("Open the sample face patch"), column);
+  sample_->setMinimumHeight(kPrimaryHeight);
+  sample_->setDefault(true);
+  sample_->setProperty("primary", true);
+  auto* capture = new QPushButton(tr("Open capture…"), column);
+  capture->setToolTip(
+      tr("Photographs of one subject under several lights, with their capture.json"));
+  auto* image = new QPushButton(tr("Open image…"), column);
+  image->setToolTip(tr("A single albedo texture, such as an EXR, TIFF or PNG"));
+  for (QPushButton* button : {capture, image})
+    button->setMinimumHeight(kButtonHeight);
+
+  dropArea_ = new QWidget(column);
+  dropArea_->setFixedHeight(kDropHeight);
+  auto* dropHint =
+      dimLabel(tr("or drop photographs, a capture folder or an albedo texture here"), dropArea_);
+  dropHint->setAlignment(Qt::AlignCenter);
+  auto* dropLayout = new QHBoxLayout(dropArea_);
+  dropLayout->addWidget(dropHint);
+
+  recentHeading_ = new QLabel(tr("Recent files"), column);
+  recentHeading_->setFont(theme::headingFont(*this));
+  recent_ = new RecentList(column);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(theme::kSpace);
+  buttons->addWidget(capture);
+  buttons->addWidget(image);
+  auto* stack = new QVBoxLayout;
+  stack->setContentsMargins(theme::kSpace, 0, theme::kSpace, 0);
+  stack->setSpacing(theme::kSpace);
+  stack->addWidget(title);
+  stack->addWidget(promise);
+  stack->addSpacing(theme::kDoubleSpace);
+  stack->addWidget(sample_);
+  stack->addLayout(buttons);
+  stack->addSpacing(theme::kHalfSpace);
+  stack->addWidget(dropArea_);
+  stack->addSpacing(theme::kDoubleSpace);
+  stack->addWidget(recentHeading_);
+  // The list is wider by the inset of its rows: its text stands below the heading's.
+  auto* whole = new QVBoxLayout(column);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->setSpacing(theme::kHalfSpace);
+  whole->addLayout(stack);
+  whole->addWidget(recent_);
+
+  auto* page = new QVBoxLayout(this);
+  page->addStretch(2);
+  page->addWidget(column, 0, Qt::AlignHCenter);
+  page->addStretch(3);
+
+  connect(sample_, &QPushButton::clicked, this, &StartPage::sampleWanted);
+  connect(capture, &QPushButton::clicked, this, &StartPage::captureWanted);
+  connect(image, &QPushButton::clicked, this, &StartPage::imageWanted);
+  connect(recent_, &RecentList::fileChosen, this, &StartPage::fileWanted);
+  setRecentFiles({});
+  setFocusProxy(sample_);
+}
+
+void StartPage::setRecentFiles(const QStringList& paths) {
+  recent_->setFiles(paths);
+  recentHeading_->setVisible(!paths.isEmpty());
+  recent_->setVisible(!paths.isEmpty());
+}
+
+void StartPage::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF area(QPointF(dropArea_->mapTo(this, QPoint(0, 0))), QSizeF(dropArea_->size()));
+  QPen pen(dropLit_ ? theme::tones().accent : QColor(0x6a, 0x6a, 0x6a), dropLit_ ? 2 : 1);
+  pen.setDashPattern({5, 4});
+  painter.setPen(pen);
+  painter.setBrush(dropLit_ ? theme::tones().raised : QColor(Qt::transparent));
+  painter.drawRoundedRect(area.adjusted(1, 1, -1, -1), theme::kCornerRadius + 2,
+                          theme::kCornerRadius + 2);
+}
+
+void StartPage::setDropLit(bool lit) {
+  dropLit_ = lit;
+  update();
+}
+
+void StartPage::dragEnterEvent(QDragEnterEvent* event) {
+  if (filesOf(event->mimeData()).isEmpty()) return;
+  event->acceptProposedAction();
+  setDropLit(true);
+}
+
+void StartPage::dragLeaveEvent(QDragLeaveEvent*) {
+  setDropLit(false);
+}
+
+void StartPage::dropEvent(QDropEvent* event) {
+  setDropLit(false);
+  const QStringList files = filesOf(event->mimeData());
+  if (files.isEmpty()) return;
+  event->acceptProposedAction();
+  if (files.size() == 1) {
+    Q_EMIT fileWanted(files.first());
+  } else {
+    Q_EMIT filesWanted(files);
+  }
+}
+
+}  // namespace cutis
