@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "tests/architecture/house_rules.h"
+#include "tests/support/folders.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis::test {
@@ -25,7 +26,7 @@ std::string textOf(const fs::path& path) {
 // Texts with one of these extensions, by their path from the root.
 SourceTree sources(const std::vector<std::string>& folders,
                    const std::vector<std::string>& extensions) {
-  const fs::path root = CUTIS_SOURCE_DIR;
+  const fs::path root = sourceFolder();
   SourceTree tree;
   for (const std::string& folder : folders) {
     if (!fs::is_directory(root / folder)) continue;
@@ -78,7 +79,7 @@ class HouseTest : public QObject {
   }
 
   void linksRunDownwards() {
-    const std::string report = textOf(fs::path(CUTIS_BINARY_DIR) / "links.txt");
+    const std::string report = textOf(buildFolder() / "links.txt");
     QVERIFY2(report.find("core/skin: core/base core/maths") != std::string::npos, report.c_str());
     const auto violations = checkLinks(report);
     QVERIFY2(violations.empty(), qPrintable(joined(violations)));

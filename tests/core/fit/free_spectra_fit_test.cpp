@@ -16,6 +16,7 @@
 #include "core/skin/profile/absorption.h"
 #include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
+#include "tests/support/folders.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
 
@@ -25,7 +26,7 @@ namespace {
 const SkinModel& skin2026() {
   static const auto model =
       SkinModel::create(
-          loadProfile(CUTIS_SOURCE_DIR "/resources/profiles/skin2026.json", "test").value())
+          loadProfile(test::sourceFolder() / "resources/profiles/skin2026.json", "test").value())
           .value();
   return *model;
 }

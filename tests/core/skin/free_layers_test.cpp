@@ -15,6 +15,7 @@
 #include "core/skin/profile/parameter_sampling.h"
 #include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
+#include "tests/support/folders.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
 
@@ -23,7 +24,7 @@ namespace {
 
 const Profile& twoLayers() {
   static const Profile profile =
-      loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test").value();
+      loadProfile(test::sourceFolder() / "tests/support/two_layer_profile.json", "test").value();
   return profile;
 }
 

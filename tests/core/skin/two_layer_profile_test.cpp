@@ -12,6 +12,7 @@
 #include "core/transport/adding_doubling.h"
 #include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
+#include "tests/support/folders.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
 
@@ -22,7 +23,7 @@ constexpr std::array<int, 12> kNm = {300, 350, 414, 450, 500, 542, 576, 600, 700
 
 const Profile& twoLayers() {
   static const Profile profile =
-      loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test").value();
+      loadProfile(test::sourceFolder() / "tests/support/two_layer_profile.json", "test").value();
   return profile;
 }
 

@@ -4,6 +4,7 @@
 
 #include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
+#include "tests/support/folders.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
@@ -13,7 +14,7 @@ namespace {
 
 // One with a linear carotene and correlations.
 Prior twoLayers() {
-  return loadProfile(CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json", "test")
+  return loadProfile(test::sourceFolder() / "tests/support/two_layer_profile.json", "test")
       .value()
       .prior;
 }

@@ -12,6 +12,7 @@
 #include "src/files/io/text_file.h"
 #include "src/files/resources.h"
 #include "tests/support/expect.h"
+#include "tests/support/folders.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
@@ -23,7 +24,7 @@ std::string paper() {
   return std::string(*resource("profiles/li2024.json"));
 }
 
-constexpr char kMeasured[] = CUTIS_SOURCE_DIR "/tests/support/two_layer_profile.json";
+const std::string kMeasured = test::sourceFolder() / "tests/support/two_layer_profile.json";
 
 std::string measured() {
   return readTextFile(kMeasured).value();

@@ -9,6 +9,7 @@
 
 #include "src/files/io/platform.h"
 #include "tests/support/expect.h"
+#include "tests/support/folders.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -29,7 +30,7 @@ class ResourcesTest : public QObject {
  private slots:
   // Every data file below resources/ is in the program, byte for byte.
   void theProgramCarriesItsFiles() {
-    const fs::path root = fs::path(CUTIS_SOURCE_DIR) / "resources";
+    const fs::path root = test::sourceFolder() / "resources";
     int count = 0;
     for (const char* folder : {"spectra", "rigs", "profiles"}) {
       for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
@@ -46,7 +47,7 @@ class ResourcesTest : public QObject {
   }
 
   void stemsAreThoseOfTheFolder() {
-    const fs::path root = fs::path(CUTIS_SOURCE_DIR) / "resources";
+    const fs::path root = test::sourceFolder() / "resources";
     for (const char* folder : {"spectra/illuminants", "spectra/cameras", "spectra/observers",
                                "spectra/displays", "spectra", "rigs", "profiles"}) {
       const std::string suffix =
