@@ -68,7 +68,7 @@ comparable() {
   local date='[0-9]{4}:[0-9]{2}:[0-9]{2} [0-9]{2}:[0-9]{2}:[0-9]{2}'
   case "$1" in
     *.report.json) sed -E '/"(load|prepare|fit|write|peak_memory_bytes)":/d' "$1" ;;
-    */stdout) sed -E 's/[0-9.e-]+ s($|[^a-z])/… s\1/g' "$1" ;;
+    */stdout) sed -E -e '/^ *seconds /d' -e 's/[0-9.e-]+ s($|[^a-z])/… s\1/g' "$1" ;;
     *) LC_ALL=C sed -E "s/$date/date/g" "$1" ;;
   esac
 }
