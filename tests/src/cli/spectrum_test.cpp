@@ -26,7 +26,7 @@ std::vector<std::vector<double>> numbers(const std::string& text) {
   return rows;
 }
 
-// MODEL.md, check values.
+// The check values of resources/manual/model.md.
 constexpr std::array<int, 12> kWavelengths = {300, 350, 414, 450, 500, 542,
                                               576, 600, 700, 850, 970, 1000};
 constexpr char kSets[] =

@@ -66,7 +66,7 @@ class ValidateTest : public QObject {
     }
   }
 
-  // MODEL.md: the refractive index of li2024 is 1.4.
+  // resources/manual/model.md: the refractive index of li2024 is 1.4.
   void theSurfaceReflectionIsAdded() {
     const auto skin = numbersIn(run_.read("skin.csv"), 2);
     const auto shiny = numbersIn(run_.read("shiny.csv"), 2);
