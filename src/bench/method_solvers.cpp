@@ -1,12 +1,14 @@
-#include "src/cli/commands/bench/bench_methods.h"
+#include "src/bench/method_solvers.h"
 
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/base/parallel.h"
 #include "core/evaluate/error_protocol.h"
+#include "core/fit/table/table_search.h"
 #include "core/skin/pixel_state.h"
 
 namespace cutis {
@@ -16,33 +18,6 @@ namespace {
 constexpr std::size_t kBatch = 256;
 // People whose most frequent β-carotene the first stage fixes, as in a fit.
 constexpr int kTrainingPopulation = 1000;
-
-struct MethodName {
-  const char* label;
-  const char* key;
-};
-
-MethodName nameOf(BenchMethod method) {
-  switch (method) {
-    case BenchMethod::refinedWide:
-      return {"refined, wide prior", "refined_wide"};
-    case BenchMethod::refinedPopulation:
-      return {"refined, population's prior", "refined_population"};
-    case BenchMethod::refinedExact:
-      return {"refined, exact", "refined_exact"};
-    case BenchMethod::network:
-      return {"network", "network"};
-    case BenchMethod::threeStage:
-      return {"three stages, indexed", "three_stage"};
-    case BenchMethod::fullSearch:
-      return {"full search, indexed", "full_search"};
-    case BenchMethod::threeStageExhaustive:
-      return {"three stages, exhaustive", "three_stage_exhaustive"};
-    case BenchMethod::fullSearchExhaustive:
-      return {"full search, exhaustive", "full_search_exhaustive"};
-  }
-  return {"", ""};
-}
 
 // Every entry looked at, for each pixel.
 class ExhaustiveSolver final : public PixelSolver {
@@ -91,25 +66,8 @@ class ExhaustiveSolver final : public PixelSolver {
 
 }  // namespace
 
-const char* methodLabel(BenchMethod method) {
-  return nameOf(method).label;
-}
-
-const char* methodKey(BenchMethod method) {
-  return nameOf(method).key;
-}
-
-bool isRefined(BenchMethod method) {
-  return method == BenchMethod::refinedWide || method == BenchMethod::refinedPopulation ||
-         method == BenchMethod::refinedExact;
-}
-
-bool isExhaustive(BenchMethod method) {
-  return method == BenchMethod::threeStageExhaustive || method == BenchMethod::fullSearchExhaustive;
-}
-
-Result<std::shared_ptr<const PixelSolver>> BenchSolvers::solver(BenchMethod method, double noise,
-                                                                bool caroteneFixed) {
+Result<std::shared_ptr<const PixelSolver>> MethodSolvers::solver(BenchMethod method, double noise,
+                                                                 bool caroteneFixed) {
   if (!isRefined(method) && method != BenchMethod::network) return search(method);
   FitOptions options;
   if (method == BenchMethod::network) {
@@ -123,21 +81,20 @@ Result<std::shared_ptr<const PixelSolver>> BenchSolvers::solver(BenchMethod meth
   }
   if (method == BenchMethod::refinedPopulation) options.prior = priorOf(protocolPopulation());
   if (caroteneFixed) options.fixed[kCarotene] = 0.0;
-  return session_.engine.solver(model_, rig_, options, {session_.context.stop, {}, {}});
+  return engine_.solver(model_, rig_, options, context_);
 }
 
-Result<std::shared_ptr<const PixelSolver>> BenchSolvers::search(BenchMethod method) {
+Result<std::shared_ptr<const PixelSolver>> MethodSolvers::search(BenchMethod method) {
   auto& kept = searches_[static_cast<std::size_t>(method)];
   if (kept) return kept;
-  const JobContext silent = {session_.context.stop, {}, {}};
   if (!isExhaustive(method)) {
     FitOptions options;
     options.method =
         method == BenchMethod::threeStage ? FitMethod::threeStage : FitMethod::fullSearch;
-    CUTIS_TRY(made, session_.engine.solver(model_, rig_, options, silent));
+    CUTIS_TRY(made, engine_.solver(model_, rig_, options, context_));
     return kept = made;
   }
-  CUTIS_TRY(table, session_.engine.tableSearch(*model_, rig_, silent));
+  CUTIS_TRY(table, engine_.tableSearch(*model_, rig_, context_));
   std::optional<int> carotene;
   if (method == BenchMethod::threeStageExhaustive)
     carotene = table->mostFrequentCarotene(*model_, rig_, kTrainingPopulation);

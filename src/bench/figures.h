@@ -14,9 +14,13 @@
 
 #include "core/evaluate/error_bound.h"
 #include "core/evaluate/error_metrics.h"
-#include "src/cli/commands/bench/bench_methods.h"
+#include "src/bench/method.h"
 
 namespace cutis {
+
+inline constexpr std::array<double, 5> kBenchNoises = {0.0, 0.001, 0.002, 0.005, 0.01};
+// Where a single noise must do: the built-in rigs' own.
+inline constexpr double kUsualNoise = 0.005;
 
 // One method at one noise.
 struct MethodFigures {

@@ -2,7 +2,11 @@
 
 // Networks in the benchmark: how far off they are at every noise, and what they cost.
 
-#include "src/cli/commands/bench/bench_errors.h"
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "src/bench/figures.h"
+#include "src/bench/method_solvers.h"
+#include "src/bench/subject.h"
 
 namespace cutis {
 
@@ -15,7 +19,7 @@ struct NetworkSeries {
 // The networks that are built in for the subject's profile: of all channels of its rig, of the
 // paper's five, of white light alone; where there are none of all channels, those that were
 // trained. The solvers get the ones of all channels.
-Status runNetworks(const BenchSubject& subject, const NetworkSeries& series, BenchSolvers& solvers,
+Status runNetworks(const BenchSubject& subject, const NetworkSeries& series, MethodSolvers& solvers,
                    const JobContext& context, BenchFigures& figures);
 
 }  // namespace cutis

@@ -1,4 +1,4 @@
-#include "src/cli/commands/bench/bench_pictures.h"
+#include "src/bench/picture_study.h"
 
 #include <algorithm>
 #include <chrono>
@@ -65,11 +65,10 @@ constexpr Content kNoiseFree = {"uncorrelated", false, 0.0};
 constexpr Content kSample = {"sample", true, kUsualNoise};
 
 Result<Measurements> pictureOf(const BenchSubject& subject, const Content& content, int size,
-                               Session& session) {
-  const JobContext silent = {session.context.stop, {}, {}};
+                               const JobContext& silent) {
   if (content.sample) {
     CUTIS_TRY(skin, simulateSkin(SkinRecipe(), size, size, kSeed, subject.model->profile().axes,
-                                 session.store, silent));
+                                 subject.store, silent));
     return photograph(skin, *subject.model, subject.rig, content.noise, kSeed, silent);
   }
   CUTIS_TRY(maps, uncorrelatedMaps(size, silent));
@@ -83,15 +82,15 @@ double secondsSince(Clock::time_point start) {
 }
 
 // Fits the picture, as often as asked; the fastest run counts.
-Result<PictureFigures> fitPicture(const Measurements& picture, const PixelSolver& solver,
-                                  int repeats, Session& session) {
-  const JobContext silent = {session.context.stop, {}, {}};
+Result<PictureFigures> fitPicture(const BenchSubject& subject, const Measurements& picture,
+                                  const PixelSolver& solver, int repeats,
+                                  const JobContext& silent) {
   PictureFigures figures;
   figures.size = picture.width();
   const auto held = restartPeakMemory();
   for (int run = 0; run < repeats; ++run) {
     const auto start = Clock::now();
-    const FitPlanes planes(picture, {}, session.store);
+    const FitPlanes planes(picture, {}, subject.store);
     CUTIS_TRY(statistics, runFit(picture, solver, planes, silent));
     CUTIS_TRY(gamut, measureGamut(picture, planes.maps, solver, {}, silent));
     static_cast<void>(gamut);
@@ -106,14 +105,14 @@ Result<PictureFigures> fitPicture(const Measurements& picture, const PixelSolver
   return figures;
 }
 
-Result<FirstPictureFigures> firstPicture(const Measurements& picture, const PixelSolver& solver,
-                                         Session& session) {
+Result<FirstPictureFigures> firstPicture(const BenchSubject& subject, const Measurements& picture,
+                                         const PixelSolver& solver, const JobContext& silent) {
   FirstPictureFigures figures;
   figures.size = picture.width();
   for (int run = 0; run < kRepeats; ++run) {
     const auto start = Clock::now();
-    const FitPlanes planes(picture, {}, session.store);
-    CUTIS_CHECK(runCoarseFit(picture, solver, planes.maps, {session.context.stop, {}, {}}));
+    const FitPlanes planes(picture, {}, subject.store);
+    CUTIS_CHECK(runCoarseFit(picture, solver, planes.maps, silent));
     const double seconds = secondsSince(start);
     figures.seconds = run == 0 ? seconds : std::min(figures.seconds, seconds);
   }
@@ -143,7 +142,7 @@ bool isRunOn(const Content& content, BenchMethod method) {
 }
 
 Status runContent(const BenchSubject& subject, const Content& content, int size,
-                  const PictureSeries& series, Session& session, BenchSolvers& solvers,
+                  const PictureSeries& series, MethodSolvers& solvers, const JobContext& silent,
                   BenchFigures& figures) {
   std::optional<Measurements> picture;
   for (const BenchMethod method : kBenchMethods) {
@@ -151,15 +150,16 @@ Status runContent(const BenchSubject& subject, const Content& content, int size,
     PictureFigures row = scaledPicture(figures, method, content.noise, size);
     if (isFast(method) || (!isExhaustive(method) && size <= series.largestSlow)) {
       if (!picture) {
-        CUTIS_TRY(made, pictureOf(subject, content, size, session));
+        CUTIS_TRY(made, pictureOf(subject, content, size, silent));
         picture = std::move(made);
       }
       CUTIS_TRY(solver, solvers.solver(method, content.noise));
-      CUTIS_TRY(fitted, fitPicture(*picture, *solver, isFast(method) ? kRepeats : 1, session));
+      CUTIS_TRY(fitted,
+                fitPicture(subject, *picture, *solver, isFast(method) ? kRepeats : 1, silent));
       row = fitted;
       // Sizes increase: the last one stays.
       if (method == BenchMethod::refinedWide && !content.sample && size <= kUsualSize) {
-        CUTIS_TRY(first, firstPicture(*picture, *solver, session));
+        CUTIS_TRY(first, firstPicture(subject, *picture, *solver, silent));
         figures.firstPicture = first;
       }
     }
@@ -179,31 +179,33 @@ int allowedThreads() {
   return std::min(parallelThreadCount(), static_cast<int>(allowed));
 }
 
-Status runSizes(const BenchSubject& subject, const PictureSeries& series, Session& session,
-                BenchSolvers& solvers, const JobContext& context, BenchFigures& figures) {
+Status runSizes(const BenchSubject& subject, const PictureSeries& series, MethodSolvers& solvers,
+                const JobContext& context, BenchFigures& figures) {
+  const JobContext silent = {context.stop, {}, {}};
   double done = 0.0, all = 0.0;
   for (const int size : series.sizes)
     all += 1.0 * size * size;
   for (const int size : series.sizes) {
     for (const Content& content : {kNoisy, kNoiseFree, kSample}) {
       context.progress.report(done / all);
-      CUTIS_CHECK(runContent(subject, content, size, series, session, solvers, figures));
+      CUTIS_CHECK(runContent(subject, content, size, series, solvers, silent, figures));
       done += 1.0 * size * size / 3.0;
     }
   }
   return {};
 }
 
-Status runScaling(const BenchSubject& subject, const PictureSeries& series, Session& session,
-                  BenchSolvers& solvers, const JobContext& context, BenchFigures& figures) {
-  CUTIS_TRY(picture, pictureOf(subject, kNoisy, series.scalingSize, session));
+Status runScaling(const BenchSubject& subject, const PictureSeries& series, MethodSolvers& solvers,
+                  const JobContext& context, BenchFigures& figures) {
+  const JobContext silent = {context.stop, {}, {}};
+  CUTIS_TRY(picture, pictureOf(subject, kNoisy, series.scalingSize, silent));
   CUTIS_TRY(solver, solvers.solver(BenchMethod::refinedWide, kUsualNoise));
   const int most = allowedThreads();
   for (int threads = 1;; threads = std::min(2 * threads, most)) {
     context.progress.report(static_cast<double>(threads) / most);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
-    CUTIS_TRY(fitted, fitPicture(picture, *solver, kRepeats, session));
+    CUTIS_TRY(fitted, fitPicture(subject, picture, *solver, kRepeats, silent));
     fitted.content = kNoisy.name;
     fitted.noise = kNoisy.noise;
     fitted.method = BenchMethod::refinedWide;

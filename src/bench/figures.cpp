@@ -1,4 +1,4 @@
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 
 #include <algorithm>
 

@@ -1,8 +1,9 @@
-// What changes an error when all else is equal, and whether the deviations can be believed.
+#include "src/bench/variant_study.h"
 
-#include <cmath>
+#include <span>
+#include <string>
 
-#include "src/cli/commands/bench/bench_errors.h"
+#include "core/evaluate/error_protocol.h"
 
 namespace cutis {
 namespace {
@@ -12,19 +13,19 @@ constexpr std::uint64_t kPriorSeed = 4;
 constexpr char kWhite[] = "white";
 
 // A population in front of a rig.
-struct Scene {
+struct PhotographedPeople {
   const BenchSubject& subject;
   const ProtocolPixels& pixels;
   JobContext context;
 };
 
-Result<VariantFigures> measureVariant(const Scene& scene, const PixelSolver& solver,
+Result<VariantFigures> measureVariant(const PhotographedPeople& people, const PixelSolver& solver,
                                       const std::string& name, double noise,
                                       SampleEncoding encoding = SampleEncoding::float32) {
-  const auto channels = scene.pixels.photograph(noise, kNoiseSeed, encoding);
-  CUTIS_TRY(solved, solveAll(solver, channels, scene.pixels.count(), {}, scene.context));
-  CUTIS_TRY(errors,
-            scene.subject.meter->measure(scene.pixels.people(), solved.parameters, scene.context));
+  const auto channels = people.pixels.photograph(noise, kNoiseSeed, encoding);
+  CUTIS_TRY(solved, solveAll(solver, channels, people.pixels.count(), {}, people.context));
+  CUTIS_TRY(errors, people.subject.meter->measure(people.pixels.people(), solved.parameters,
+                                                  people.context));
   VariantFigures figures;
   figures.variant = name;
   figures.noise = noise;
@@ -34,7 +35,7 @@ Result<VariantFigures> measureVariant(const Scene& scene, const PixelSolver& sol
 
 }  // namespace
 
-Status runCoverage(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+Status runCoverage(const BenchSubject& subject, MethodSolvers& solvers, const JobContext& context,
                    BenchFigures& figures) {
   for (const BenchMethod method : {BenchMethod::refinedWide, BenchMethod::refinedPopulation}) {
     const bool wide = method == BenchMethod::refinedWide;
@@ -55,8 +56,7 @@ Status runCoverage(const BenchSubject& subject, BenchSolvers& solvers, const Job
   return {};
 }
 
-Status runLights(const BenchSubject& subject, Session& session, const JobContext& context,
-                 BenchFigures& figures) {
+Status runLights(const BenchSubject& subject, const JobContext& context, BenchFigures& figures) {
   if (subject.rig.lightIndex(kWhite) < 0) return {};
   CUTIS_TRY(white, withLights(subject.rig, {kWhite}, "--rig"));
   const auto people = benchPeople(subject.pixels);
@@ -66,7 +66,7 @@ Status runLights(const BenchSubject& subject, Session& session, const JobContext
     CUTIS_TRY(bounds,
               errorBounds(*subject.model, *rig, std::span(people).first(people.size() / 5),
                           priorOf(protocolPopulation()), std::span(&kUsualNoise, 1), context));
-    BenchSolvers solvers(session, subject.model, *rig);
+    MethodSolvers solvers(subject.engine, subject.model, *rig, context);
     for (const BenchMethod method : {BenchMethod::refinedWide, BenchMethod::refinedPopulation}) {
       CUTIS_TRY(solver, solvers.solver(method, kUsualNoise));
       const std::string name = std::to_string(rig->lights.size()) +
@@ -80,24 +80,24 @@ Status runLights(const BenchSubject& subject, Session& session, const JobContext
   return {};
 }
 
-Status runParameters(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+Status runParameters(const BenchSubject& subject, MethodSolvers& solvers, const JobContext& context,
                      BenchFigures& figures) {
   CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, subject.rig, benchPeople(subject.pixels),
                                            context));
-  const Scene scene = {subject, pixels, context};
+  const PhotographedPeople photographed = {subject, pixels, context};
   for (const BenchMethod method : {BenchMethod::refinedWide, BenchMethod::refinedPopulation}) {
     for (const bool fixed : {false, true}) {
       CUTIS_TRY(solver, solvers.solver(method, kUsualNoise, fixed));
       const std::string name =
           std::string(fixed ? "four parameters, " : "five parameters, ") + methodLabel(method);
-      CUTIS_TRY(variant, measureVariant(scene, *solver, name, kUsualNoise));
+      CUTIS_TRY(variant, measureVariant(photographed, *solver, name, kUsualNoise));
       figures.parameters.push_back(variant);
     }
   }
   return {};
 }
 
-Status runEncodings(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+Status runEncodings(const BenchSubject& subject, MethodSolvers& solvers, const JobContext& context,
                     BenchFigures& figures) {
   struct Kind {
     const char* name;
@@ -109,11 +109,11 @@ Status runEncodings(const BenchSubject& subject, BenchSolvers& solvers, const Jo
                                           {"float", SampleEncoding::float32}}};
   CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, subject.rig, benchPeople(subject.pixels),
                                            context));
-  const Scene scene = {subject, pixels, context};
+  const PhotographedPeople photographed = {subject, pixels, context};
   for (const double noise : {0.0, kUsualNoise}) {
     CUTIS_TRY(solver, solvers.solver(BenchMethod::refinedPopulation, noise));
     for (const Kind& kind : kinds) {
-      CUTIS_TRY(variant, measureVariant(scene, *solver, kind.name, noise, kind.encoding));
+      CUTIS_TRY(variant, measureVariant(photographed, *solver, kind.name, noise, kind.encoding));
       figures.encodings.push_back(variant);
     }
   }

@@ -1,51 +1,32 @@
 #pragma once
 
-// The methods that the benchmark compares, and how fast each is.
+// Solvers of the methods that the benchmark compares, and how fast each is.
 
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "core/base/job_context.h"
+#include "core/base/result.h"
 #include "core/fit/pixel_solver.h"
-#include "core/fit/table/table_search.h"
 #include "core/neural/chromophore_network.h"
-#include "src/cli/command.h"
+#include "core/rig/rig.h"
+#include "core/skin/model/skin_model.h"
+#include "src/app/engine.h"
+#include "src/bench/method.h"
 
 namespace cutis {
 
-enum class BenchMethod {
-  refinedWide,        // the profile's own prior
-  refinedPopulation,  // a linear prior: the population's mean and deviation
-  refinedExact,       // zero noise assumed, the profile's own prior
-  network,            // what ChromNN answers
-  threeStage,         // through their exact indices …
-  fullSearch,
-  threeStageExhaustive,  // … and entry by entry, as the paper describes them
-  fullSearchExhaustive,
-};
-inline constexpr std::array<BenchMethod, 8> kBenchMethods = {
-    BenchMethod::refinedWide,          BenchMethod::refinedPopulation,
-    BenchMethod::refinedExact,         BenchMethod::network,
-    BenchMethod::threeStage,           BenchMethod::fullSearch,
-    BenchMethod::threeStageExhaustive, BenchMethod::fullSearchExhaustive,
-};
-
-// For people: "refined, wide prior".
-const char* methodLabel(BenchMethod method);
-// For scripts: "refined_wide".
-const char* methodKey(BenchMethod method);
-bool isRefined(BenchMethod method);
-// So slow that it is run on a part of the pixels.
-bool isExhaustive(BenchMethod method);
-
 // Makes solvers for one rig; what searches share is made once. Not thread-safe.
-class BenchSolvers {
+class MethodSolvers {
  public:
-  BenchSolvers(Session& session, std::shared_ptr<const SkinModel> model, const Rig& rig)
-      : session_(session), model_(std::move(model)), rig_(rig) {}
+  // engine: outlives this. context: whether to stop; nothing is reported to it.
+  MethodSolvers(Engine& engine, std::shared_ptr<const SkinModel> model, const Rig& rig,
+                const JobContext& context)
+      : engine_(engine), model_(std::move(model)), rig_(rig), context_{context.stop, {}, {}} {}
 
   // Without one there is no solver for the method network.
   void setNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
@@ -61,9 +42,10 @@ class BenchSolvers {
  private:
   Result<std::shared_ptr<const PixelSolver>> search(BenchMethod method);
 
-  Session& session_;
+  Engine& engine_;
   std::shared_ptr<const SkinModel> model_;
   Rig rig_;
+  JobContext context_;
   std::shared_ptr<const ChromophoreNetwork> network_;
   std::array<std::shared_ptr<const PixelSolver>, kBenchMethods.size()> searches_;
 };

@@ -1,4 +1,4 @@
-#include "src/cli/commands/bench/bench_networks.h"
+#include "src/bench/network_study.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/evaluate/error_protocol.h"
 #include "core/neural/dense/aligned_floats.h"
 #include "core/neural/network_channels.h"
 #include "core/neural/network_pipeline.h"
@@ -244,7 +245,7 @@ Status addBuiltIn(const BenchSubject& subject, const Rig& rig, const NetworkChan
 
 }  // namespace
 
-Status runNetworks(const BenchSubject& subject, const NetworkSeries& series, BenchSolvers& solvers,
+Status runNetworks(const BenchSubject& subject, const NetworkSeries& series, MethodSolvers& solvers,
                    const JobContext& context, BenchFigures& figures) {
   const JobContext silent = {context.stop, {}, {}};
   std::vector<RiggedNetworks> all;

@@ -1,5 +1,4 @@
-// Where the refined fit begins, and what that costs: its own polynomial, ChromNN's answer, the mean
-// of the prior.
+#include "src/bench/start_study.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,9 +6,9 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/evaluate/error_protocol.h"
 #include "core/fit/coordinate_prior.h"
 #include "core/fit/refined/fast_pass.h"
-#include "src/cli/commands/bench/bench_errors.h"
 
 namespace cutis {
 namespace {
@@ -122,7 +121,7 @@ Result<StartFigures> measure(const BenchSubject& subject, const ProtocolPixels& 
 
 }  // namespace
 
-Status runStarts(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+Status runStarts(const BenchSubject& subject, MethodSolvers& solvers, const JobContext& context,
                  BenchFigures& figures) {
   CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, subject.rig, benchPeople(subject.pixels),
                                            context));

@@ -1,10 +1,6 @@
-#include "src/cli/commands/bench/bench_goals.h"
+#include "src/bench/goals.h"
 
 #include <algorithm>
-
-#include "src/cli/commands/bench/bench_errors.h"
-#include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
 
 namespace cutis {
 namespace {
@@ -154,22 +150,6 @@ void addNetworks(const BenchFigures& figures, std::vector<Goal>& goals) {
   }
 }
 
-std::string withUnit(double value, GoalUnit unit) {
-  switch (unit) {
-    case GoalUnit::none:
-      return formatNumber(value, 3);
-    case GoalUnit::meanSquare:
-      return shortScientific(value);
-    case GoalUnit::seconds:
-      return formatNumber(value, 3) + " s";
-    case GoalUnit::microseconds:
-      return formatNumber(value, 3) + " µs";
-    case GoalUnit::percent:
-      return formatNumber(value, 4) + " %";
-  }
-  return {};
-}
-
 }  // namespace
 
 std::vector<Goal> goalsOf(const BenchFigures& figures) {
@@ -183,17 +163,6 @@ std::vector<Goal> goalsOf(const BenchFigures& figures) {
   addSpeed(figures, goals);
   addNetworks(figures, goals);
   return goals;
-}
-
-std::string askedText(const Goal& goal) {
-  if (goal.least && goal.most)
-    return formatNumber(*goal.least) + " to " + withUnit(*goal.most, goal.unit);
-  if (goal.least) return "≥ " + withUnit(*goal.least, goal.unit);
-  return goal.most ? "≤ " + withUnit(*goal.most, goal.unit) : std::string();
-}
-
-std::string reachedText(const Goal& goal) {
-  return withUnit(goal.reached, goal.unit);
 }
 
 }  // namespace cutis

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 
 namespace cutis {
 
@@ -29,9 +29,5 @@ struct Goal {
 // Those that the figures tell something about. Times of pictures of 2048² pixels are scaled from
 // the largest that was run where that was smaller.
 std::vector<Goal> goalsOf(const BenchFigures& figures);
-
-// "≤ 0.9 s", "93 to 97 %"
-std::string askedText(const Goal& goal);
-std::string reachedText(const Goal& goal);
 
 }  // namespace cutis

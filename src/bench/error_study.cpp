@@ -1,13 +1,16 @@
-#include "src/cli/commands/bench/bench_errors.h"
+#include "src/bench/error_study.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
+#include "core/evaluate/error_protocol.h"
 #include "core/simulate/skin_patch.h"
 
 namespace cutis {
 namespace {
 
-constexpr std::uint64_t kPeopleSeed = 1;
+constexpr std::uint64_t kPatchSeed = 1;
 constexpr std::uint64_t kNoiseSeed = 2;
 constexpr std::size_t kMostBoundPeople = 4000;
 constexpr int kSampleSize = 512;
@@ -48,7 +51,7 @@ Result<MethodFigures> measureMethod(const BenchSubject& subject, const PixelSolv
 // Every noise for every method; the exhaustive searches look at a part of the pixels only.
 Status measureMethods(const BenchSubject& subject, const ProtocolPixels& all,
                       const ProtocolPixels& part, std::span<const double> noises,
-                      BenchSolvers& solvers, const JobContext& context,
+                      MethodSolvers& solvers, const JobContext& context,
                       std::vector<MethodFigures>& out) {
   const auto steps = static_cast<double>(kBenchMethods.size() * noises.size());
   double step = 0.0;
@@ -80,11 +83,11 @@ void relateToBound(BenchFigures& figures) {
 }
 
 // Skin of the sample, spread evenly over it.
-Result<std::vector<ParameterVector>> samplePeople(const BenchSubject& subject, Session& session,
+Result<std::vector<ParameterVector>> samplePeople(const BenchSubject& subject,
                                                   const JobContext& context) {
   CUTIS_TRY(skin,
-            simulateSkin(SkinRecipe(), kSampleSize, kSampleSize, kPeopleSeed,
-                         subject.model->profile().axes, session.store, {context.stop, {}, {}}));
+            simulateSkin(SkinRecipe(), kSampleSize, kSampleSize, kPatchSeed,
+                         subject.model->profile().axes, subject.store, {context.stop, {}, {}}));
   const Rect all = skin.maps.state.bounds();
   std::array<std::vector<float>, kParameterCount> values;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -116,10 +119,6 @@ std::vector<ParameterVector> firstOf(const std::vector<ParameterVector>& people,
 
 }  // namespace
 
-std::vector<ParameterVector> benchPeople(std::size_t count) {
-  return drawPopulation(protocolPopulation(), static_cast<int>(count), kPeopleSeed);
-}
-
 Status runBounds(const BenchSubject& subject, const JobContext& context, BenchFigures& figures) {
   const std::span<const double> noises = std::span(kBenchNoises).subspan(1);
   const auto people = firstOf(benchPeople(subject.pixels), kMostBoundPeople);
@@ -130,7 +129,7 @@ Status runBounds(const BenchSubject& subject, const JobContext& context, BenchFi
   return {};
 }
 
-Status runMethods(const BenchSubject& subject, BenchSolvers& solvers, const JobContext& context,
+Status runMethods(const BenchSubject& subject, MethodSolvers& solvers, const JobContext& context,
                   BenchFigures& figures) {
   const JobContext silent = {context.stop, {}, {}};
   const auto people = benchPeople(subject.pixels);
@@ -142,10 +141,10 @@ Status runMethods(const BenchSubject& subject, BenchSolvers& solvers, const JobC
   return {};
 }
 
-Status runSample(const BenchSubject& subject, Session& session, BenchSolvers& solvers,
-                 const JobContext& context, BenchFigures& figures) {
+Status runSample(const BenchSubject& subject, MethodSolvers& solvers, const JobContext& context,
+                 BenchFigures& figures) {
   const JobContext silent = {context.stop, {}, {}};
-  CUTIS_TRY(skin, samplePeople(subject, session, silent));
+  CUTIS_TRY(skin, samplePeople(subject, silent));
   CUTIS_TRY(sample, ProtocolPixels::create(*subject.model, subject.rig, skin, silent));
   // Not the first ones: these are the patch's upper edge.
   std::vector<ParameterVector> spread;
