@@ -1,4 +1,4 @@
-#include "src/cli/commands/validate/validation.h"
+#include "core/evaluate/validation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSpectraPerPiece = 16;
 
-bool lies(double wavelength, const WavelengthRange& range) {
-  return wavelength >= range.fromNm && wavelength <= range.toNm;
-}
-
 std::size_t countOf(const MeasuredSpectra& spectra) {
   return spectra.ids.size();
 }
@@ -32,19 +28,6 @@ double at(const Spectrum& spectrum, double wavelength) {
   const int below = std::clamp(static_cast<int>(position), 0, kSampleCount - 2);
   const double share = position - below;
   return (1.0 - share) * spectrum[below] + share * spectrum[below + 1];
-}
-
-ErrorDistribution distributionOf(std::vector<double> errors) {
-  ErrorDistribution distribution;
-  if (errors.empty()) return distribution;
-  std::sort(errors.begin(), errors.end());
-  const std::size_t count = errors.size();
-  distribution.mean =
-      std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(count);
-  distribution.median = 0.5 * (errors[(count - 1) / 2] + errors[count / 2]);
-  distribution.within95 = errors[(count * 95 + 99) / 100 - 1];
-  distribution.most = errors.back();
-  return distribution;
 }
 
 // One row of modelled − measured per spectrum, [spectrum][wavelength].
@@ -67,7 +50,7 @@ ErrorDistribution errorsOver(const WavelengthRange& range, const MeasuredSpectra
   for (std::size_t i = 0; i < countOf(spectra); ++i) {
     double sum = 0.0, count = 0.0;
     for (std::size_t w = 0; w < width; ++w) {
-      if (!lies(spectra.wavelengthsNm[w], range)) continue;
+      if (!range.contains(spectra.wavelengthsNm[w])) continue;
       sum += residuals[i * width + w] * residuals[i * width + w];
       count += 1.0;
     }
@@ -83,11 +66,11 @@ Result<std::vector<ParameterVector>> fitVisible(const SkinModel& model,
                                                 const JobContext& context) {
   std::vector<double> wavelengths, reflectances;
   for (const double wavelength : spectra.wavelengthsNm) {
-    if (lies(wavelength, kFittedRange)) wavelengths.push_back(wavelength);
+    if (kFittedRange.contains(wavelength)) wavelengths.push_back(wavelength);
   }
   for (std::size_t i = 0; i < spectra.reflectances.size(); ++i) {
     const double wavelength = spectra.wavelengthsNm[i % spectra.wavelengthsNm.size()];
-    if (lies(wavelength, kFittedRange)) reflectances.push_back(spectra.reflectances[i]);
+    if (kFittedRange.contains(wavelength)) reflectances.push_back(spectra.reflectances[i]);
   }
   CUTIS_TRY(fits, fitSpectra(model, wavelengths, reflectances, context, geometry));
   std::vector<ParameterVector> parameters;
@@ -151,7 +134,7 @@ double meanVisible(const MeasuredSpectra& spectra, std::size_t index) {
   const std::span<const double> spectrum = spectrumAt(spectra, index);
   double sum = 0.0, count = 0.0;
   for (std::size_t w = 0; w < spectrum.size(); ++w) {
-    if (!lies(spectra.wavelengthsNm[w], kFittedRange)) continue;
+    if (!kFittedRange.contains(spectra.wavelengthsNm[w])) continue;
     sum += spectrum[w];
     count += 1.0;
   }
@@ -201,14 +184,27 @@ std::array<ToneResiduals, kToneThirds> byTone(const MeasuredSpectra& spectra,
 
 ErrorDistribution::ErrorDistribution() : mean(kNone), median(kNone), within95(kNone), most(kNone) {}
 
+ErrorDistribution distributionOf(std::vector<double> errors) {
+  ErrorDistribution distribution;
+  if (errors.empty()) return distribution;
+  std::sort(errors.begin(), errors.end());
+  const std::size_t count = errors.size();
+  distribution.mean =
+      std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(count);
+  distribution.median = 0.5 * (errors[(count - 1) / 2] + errors[count / 2]);
+  distribution.within95 = errors[(count * 95 + 99) / 100 - 1];
+  distribution.most = errors.back();
+  return distribution;
+}
+
 std::optional<WavelengthRange> measuredPart(const MeasuredSpectra& spectra,
                                             const WavelengthRange& range) {
   std::optional<WavelengthRange> part;
   bool predicted = false;
   for (const double wavelength : spectra.wavelengthsNm) {
-    if (!lies(wavelength, range)) continue;
+    if (!range.contains(wavelength)) continue;
     part = {part ? part->fromNm : wavelength, wavelength};
-    predicted = predicted || !lies(wavelength, kFittedRange);
+    predicted = predicted || !kFittedRange.contains(wavelength);
   }
   return predicted ? part : std::nullopt;
 }

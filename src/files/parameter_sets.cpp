@@ -1,11 +1,9 @@
-#include "src/cli/commands/spectrum_rows.h"
+#include "src/files/parameter_sets.h"
 
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
-#include "core/base/parallel.h"
+#include "core/base/number_text.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -14,10 +12,6 @@ namespace cutis {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;
-constexpr int kDigits = 9;
-// Rows of a piece of work, and pieces between two writes.
-constexpr std::size_t kRowsPerPiece = 64;
-constexpr std::size_t kPiecesPerWrite = 64;
 
 using Columns = std::array<std::size_t, kParameterCount>;  // indexed by Parameter
 
@@ -50,27 +44,6 @@ Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
     }
   }
   return columns;
-}
-
-void appendRow(const InstrumentModel& model, const ParameterVector& set, std::string& text) {
-  const Spectrum spectrum = model.reflectance(set);
-  std::array<char, 40> buffer = {};
-  for (int i = 0; i < kSampleCount; ++i) {
-    if (i > 0) text += ',';
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), spectrum[i],
-                                   std::chars_format::general, kDigits);
-    text.append(buffer.data(), end.ptr);
-  }
-  text += '\n';
-}
-
-std::string headerRow() {
-  std::string text;
-  for (int i = 0; i < kSampleCount; ++i) {
-    if (i > 0) text += ',';
-    text += std::to_string(kFirstWavelengthNm + kWavelengthStepNm * i);
-  }
-  return text + "\n";
 }
 
 }  // namespace
@@ -125,31 +98,6 @@ Result<std::vector<ParameterVector>> readParameterSets(const std::string& path,
     sets.push_back(set);
   }
   return sets;
-}
-
-Status writeSpectra(const InstrumentModel& model, const std::vector<ParameterVector>& sets,
-                    const std::function<Status(std::string_view text)>& write,
-                    const JobContext& context) {
-  CUTIS_CHECK(write(headerRow()));
-  constexpr std::size_t rowsPerWrite = kRowsPerPiece * kPiecesPerWrite;
-  std::vector<std::string> pieces;
-  for (std::size_t begin = 0; begin < sets.size(); begin += rowsPerWrite) {
-    const std::size_t end = std::min(begin + rowsPerWrite, sets.size());
-    pieces.assign((end - begin + kRowsPerPiece - 1) / kRowsPerPiece, std::string());
-    const auto total = static_cast<double>(sets.size());
-    const JobContext part = context.child(static_cast<double>(begin) / total,
-                                          static_cast<double>(end) / total, "spectra");
-    CUTIS_CHECK(parallelFor(pieces.size(), part, [&](std::size_t i) -> Status {
-      const std::size_t first = begin + i * kRowsPerPiece;
-      const std::size_t last = std::min(first + kRowsPerPiece, end);
-      for (std::size_t r = first; r < last; ++r)
-        appendRow(model, sets[r], pieces[i]);
-      return {};
-    }));
-    for (const std::string& piece : pieces)
-      CUTIS_CHECK(write(piece));
-  }
-  return {};
 }
 
 }  // namespace cutis

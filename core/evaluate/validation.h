@@ -15,7 +15,7 @@
 #include "core/rig/rig.h"
 #include "core/skin/model/measurement_geometry.h"
 #include "core/skin/model/skin_model.h"
-#include "src/files/measured_spectra.h"
+#include "core/spectra/measured_spectra.h"
 
 namespace cutis {
 
@@ -29,6 +29,8 @@ struct ErrorDistribution {
 
   double mean, median, within95, most;
 };
+// NaN for no errors.
+ErrorDistribution distributionOf(std::vector<double> errors);
 
 // Modelled minus measured reflectance over some of the spectra, by wavelength.
 struct ToneResiduals {

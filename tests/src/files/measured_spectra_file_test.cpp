@@ -1,4 +1,4 @@
-#include "src/files/measured_spectra.h"
+#include "src/files/measured_spectra_file.h"
 
 #include <QtTest>
 
@@ -133,4 +133,4 @@ CUTIS_TEST(MeasuredSpectraTest)
 }  // namespace
 }  // namespace cutis
 
-#include "measured_spectra_test.moc"
+#include "measured_spectra_file_test.moc"

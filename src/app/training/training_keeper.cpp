@@ -1,4 +1,4 @@
-#include "src/cli/commands/train/training_keeper.h"
+#include "src/app/training/training_keeper.h"
 
 #include <system_error>
 #include <utility>
@@ -20,7 +20,7 @@ Result<NetworkTrainingState> TrainingKeeper::load() {
   CUTIS_TRY(file, readTraining(path_));
   if (file.command != command_) {
     return inputError(path_.string(), "this is the state of another training, '" + file.command +
-                                          "'; repeat that command, or name another --state");
+                                          "'; repeat that command, or name another file");
   }
   if (file.identity != identity_) {
     return inputError(path_.string(),

@@ -1,4 +1,4 @@
-#include "src/files/measured_spectra.h"
+#include "src/files/measured_spectra_file.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/number_text.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/text_file.h"
 
@@ -130,10 +131,6 @@ class Reader {
     return *wavelength;
   }
 
-  bool isUsed(double wavelengthNm) const {
-    return wavelengthNm >= range_.fromNm && wavelengthNm <= range_.toNm;
-  }
-
   Status checkCount() const {
     const std::size_t count = spectra_.wavelengthsNm.size();
     if (count >= fewest_) return {};
@@ -185,7 +182,7 @@ class Reader {
     for (std::size_t c = first; c < fields.size(); ++c) {
       CUTIS_TRY(wavelength, readWavelength(header(), c, before));
       before = wavelength;
-      used[c] = isUsed(wavelength);
+      used[c] = range_.contains(wavelength);
       if (used[c]) spectra_.wavelengthsNm.push_back(wavelength);
     }
     CUTIS_CHECK(checkCount());
@@ -214,7 +211,7 @@ class Reader {
       if (context_.stopRequested()) return Cancelled{};
       CUTIS_TRY(wavelength, readWavelength(rows_[r], 0, before));
       before = wavelength;
-      const bool used = isUsed(wavelength);
+      const bool used = range_.contains(wavelength);
       if (used) spectra_.wavelengthsNm.push_back(wavelength);
       for (std::size_t s = 0; s < count; ++s) {
         CUTIS_TRY(value, readValue(rows_[r], s + 1, used));
@@ -241,37 +238,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::span<const double> spectrumAt(const MeasuredSpectra& spectra, std::size_t index) {
-  const std::size_t width = spectra.wavelengthsNm.size();
-  return std::span(spectra.reflectances).subspan(index * width, width);
-}
-
-Spectrum onGrid(const MeasuredSpectra& spectra, std::size_t index) {
-  const std::vector<double>& wavelengths = spectra.wavelengthsNm;
-  const std::span<const double> measured = spectrumAt(spectra, index);
-  Spectrum values;
-  for (int sample = 0; sample < kSampleCount; ++sample) {
-    const double wavelength = wavelengthNm(sample);
-    const auto next = std::upper_bound(wavelengths.begin() + 1, wavelengths.end() - 1, wavelength);
-    const auto above = static_cast<std::size_t>(next - wavelengths.begin());
-    const double share =
-        (wavelength - wavelengths[above - 1]) / (wavelengths[above] - wavelengths[above - 1]);
-    values[sample] = (1.0 - share) * measured[above - 1] + share * measured[above];
-  }
-  return values;
-}
-
-MeasuredSpectra selected(const MeasuredSpectra& spectra, std::span<const std::size_t> indices) {
-  MeasuredSpectra some;
-  some.wavelengthsNm = spectra.wavelengthsNm;
-  for (const std::size_t index : indices) {
-    some.ids.push_back(spectra.ids[index]);
-    const std::span<const double> values = spectrumAt(spectra, index);
-    some.reflectances.insert(some.reflectances.end(), values.begin(), values.end());
-  }
-  return some;
-}
 
 Result<MeasuredSpectra> parseMeasuredSpectra(std::string_view text, const std::string& place,
                                              const WavelengthRange& range, std::size_t fewest,

@@ -10,40 +10,14 @@
 // Comments, blanks, quotes, line ends and byte order marks are as in src/files/io/csv.h.
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
-#include "core/spectra/grid.h"
+#include "core/spectra/measured_spectra.h"
 
 namespace cutis {
-
-struct WavelengthRange {
-  double fromNm = 400.0;
-  double toNm = 700.0;  // both ends included
-};
-
-struct MeasuredSpectra {
-  std::vector<std::string> ids;       // one per spectrum, not empty, not necessarily different
-  std::vector<double> wavelengthsNm;  // strictly increasing, within the range
-  std::vector<double> reflectances;   // [spectrum][wavelength], from 0 to kMostReflectance
-};
-
-// Above 1 by the error of a measurement; what is beyond is percent.
-inline constexpr double kMostReflectance = 1.5;
-
-// [wavelength] of one spectrum.
-std::span<const double> spectrumAt(const MeasuredSpectra& spectra, std::size_t index);
-
-// One spectrum on the model's grid: linear between the measured wavelengths, of which there are at
-// least two, and beyond them.
-Spectrum onGrid(const MeasuredSpectra& spectra, std::size_t index);
-
-// Some of the spectra, in the order given.
-MeasuredSpectra selected(const MeasuredSpectra& spectra, std::span<const std::size_t> indices);
 
 // What lies outside the range must be numbers, too, but is left out. Errors name line and column:
 // of cells that are no finite number, of negative or too large ones within the range, of rows that

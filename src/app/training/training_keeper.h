@@ -1,6 +1,7 @@
 #pragma once
 
-// Keeps the state of a training in a file while it runs, so that it can be interrupted.
+// Keeps the state of a training in a file while it runs, so that it can be interrupted and gone on
+// with.
 //
 // Used from the thread that trains.
 
@@ -28,7 +29,7 @@ class TrainingKeeper {
   Failure explained(const Failure& failure) const;
 
   // After each epoch: writes the first, and then if the last time was some seconds ago. A failure
-  // is said and does not stop the training.
+  // is a notice and does not stop the training.
   void keep(const NetworkTrainingState& state, const JobContext& context);
   // Writes now, where an epoch was done.
   Status save(const NetworkTrainingState& state);
