@@ -12,8 +12,8 @@
 
 namespace cutis {
 
-// `arguments` without the program's name.
-Status checkArguments(const CLI::App& app, const std::vector<std::string>& arguments);
+// `words`: without the program's name.
+Status checkCommandLine(const CLI::App& app, const std::vector<std::string>& words);
 
 // What the parser threw, as one of our errors.
 Error usageErrorOf(const CLI::App& app, const CLI::ParseError& error);

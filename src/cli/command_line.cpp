@@ -1,4 +1,4 @@
-#include "src/cli/options/arguments.h"
+#include "src/cli/command_line.h"
 
 #include <algorithm>
 #include <array>
@@ -68,10 +68,10 @@ Status checkOption(const CLI::App& command, const std::string& name) {
 
 }  // namespace
 
-Status checkArguments(const CLI::App& app, const std::vector<std::string>& arguments) {
-  if (arguments.empty()) return usageError("", "name a command; cutis-cli --help lists them");
+Status checkCommandLine(const CLI::App& app, const std::vector<std::string>& words) {
+  if (words.empty()) return usageError("", "name a command; cutis-cli --help lists them");
   const CLI::App* command = &app;
-  for (const std::string& argument : arguments) {
+  for (const std::string& argument : words) {
     if (argument == "--") break;
     const std::string name = optionName(argument);
     if (!name.empty()) {
