@@ -8,6 +8,7 @@
 // same moment may both make it, and one copy is kept.
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -27,10 +28,18 @@
 
 namespace cutis {
 
+// How a program speaks of networks that are missing, or that are of another rig or profile.
+struct NetworkAdvice {
+  std::string missingPlace;   // where the error is: "--method"; empty: nowhere
+  std::string mismatchPlace;  // "--weights"
+  // What to do for this profile and rig: "train one with …"; none: to train one.
+  std::function<std::string(const Profile&, const Rig&)> whatToDo;
+};
+
 class Engine {
  public:
   // cache: folder for what can be computed again; empty for none.
-  explicit Engine(std::filesystem::path cache);
+  explicit Engine(std::filesystem::path cache, NetworkAdvice advice = {});
 
   // A built-in profile or a file. `place` stands in front of errors about the name.
   Result<std::shared_ptr<const SkinModel>> model(const std::string& profile,
@@ -40,7 +49,7 @@ class Engine {
                                                          const std::string& place);
 
   // The method network takes the network of the options, or else that of network(); fails with the
-  // command that trains one if it is of another rig or profile, or there is none.
+  // advice if it is of another rig or profile, or there is none.
   Result<std::shared_ptr<const PixelSolver>> solver(const std::shared_ptr<const SkinModel>& model,
                                                     const Rig& rig, const FitOptions& options,
                                                     const JobContext& context);
@@ -76,7 +85,10 @@ class Engine {
       const SkinModel& model, const Rig& rig,
       std::shared_ptr<const ChromophoreNetwork> given) const;
 
+  std::string whatToDo(const Profile& profile, const Rig& rig) const;
+
   std::filesystem::path cache_;
+  NetworkAdvice advice_;
   mutable std::mutex mutex_;
   Cache<SkinModel> models_;
   Cache<TableSearch> searches_;

@@ -1,7 +1,7 @@
 #include "src/app/picture_request.h"
 
+#include "core/base/number_text.h"
 #include "core/render/relight.h"
-#include "src/files/io/csv.h"
 #include "src/files/spectral_library.h"
 
 namespace cutis {
@@ -20,7 +20,7 @@ Result<SpectrumRows> pictureRows(const PictureRequest& request, const std::strin
   }
   if (!(eyes.sensor.sensitivity.row(1).transpose() * light).any()) {
     return inputError(place, "light '" + request.light +
-                                 "' has no visible power; use --band for ultraviolet or infrared");
+                                 "' has no visible power; choose a band for ultraviolet or infrared");
   }
   CUTIS_TRY(daylight, loadLight({"D65", {}, place}));
   CUTIS_TRY(standard, loadCamera({"cie1931", {}, place}));

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "src/cli/plot_style.h"
-#include "src/files/io/csv.h"
 
 namespace cutis {
 

@@ -17,7 +17,9 @@ const std::map<std::string, std::vector<std::string>> kBesideTheChain = {
     {"core/edit", {"core/base", "core/spectra", "core/skin"}},
     {"core/render", {"core/base", "core/spectra", "core/skin", "core/edit"}},
     {"core/analyse", kChain},
-    {"core/calibrate", kChain},
+    {"core/calibrate",
+     {"core/base", "core/maths", "core/transport", "core/spectra", "core/skin", "core/rig",
+      "core/neural", "core/fit", "core/evaluate"}},
     {"core/simulate",
      {"core/base", "core/spectra", "core/skin", "core/rig", "core/fit", "core/edit", "core/render",
       "core/analyse"}},
@@ -155,7 +157,8 @@ bool mayUse(const std::string& from, const std::string& to) {
   if (isOneOf(from, kReaders)) return low || to == "src/files";
   const bool middle = low || to == "src/files" || isOneOf(to, kReaders);
   if (from == "src/app") return middle;
-  if (from == "src/cli") return middle || to == "src/app";
+  if (from == "src/bench") return middle || to == "src/app";
+  if (from == "src/cli") return middle || to == "src/app" || to == "src/bench";
   if (from == "ui") return (middle && to != "src/register") || to == "src/app";
   if (from == "src/cutis") return middle || to == "src/app" || to == "ui";
   return false;

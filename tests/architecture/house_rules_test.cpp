@@ -86,6 +86,9 @@ class HouseRulesTest : public QObject {
     }
     QVERIFY(!mayUse("src/images", "src/color"));
     QVERIFY(mayUse("src/cli", "src/app") && !mayUse("src/app", "src/cli"));
+    QVERIFY(mayUse("src/cli", "src/bench") && mayUse("src/bench", "src/app"));
+    QVERIFY(!mayUse("src/bench", "src/cli") && !mayUse("src/bench", "ui"));
+    QVERIFY(!mayUse("src/app", "src/bench") && !mayUse("ui", "src/bench"));
     QVERIFY(!mayUse("src/cli", "ui") && !mayUse("src/app", "ui"));
     for (const char* below :
          {"src/app", "src/files", "src/images", "src/color", "src/report", "core/base"}) {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "core/analyse/exposure.h"
+#include "core/base/number_text.h"
 #include "src/app/open/daylight_matrix.h"
-#include "src/files/io/csv.h"
 
 namespace cutis {
 

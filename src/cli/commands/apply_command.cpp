@@ -20,8 +20,8 @@ struct ApplyCommand {
   std::string maps;
   std::string colorSpace;
   bool pure = false;
-  EditArguments edit;
-  FitArguments fit;
+  EditOptions edit;
+  FitCommandOptions fit;
 };
 
 // What is edited and with what.
@@ -137,7 +137,7 @@ Status checkOutput(const ApplyCommand& command, const FitRequest& request) {
 Status runApplyCommand(const ApplyCommand& command, Session& session) {
   CUTIS_CHECK(checkSources(command));
   CUTIS_TRY(edit, parseEdit(command.edit));
-  CUTIS_TRY(request, parseFitArguments(command.fit));
+  CUTIS_TRY(request, parseFitOptions(command.fit));
   CUTIS_CHECK(checkOutput(command, request));
   const JobContext& context = session.context;
   CUTIS_TRY(subject, command.maps.empty()
@@ -183,7 +183,7 @@ void addApplyCommand(CLI::App& app, Invocation& invocation) {
                   "floats, sRGB in integers)")
       ->type_name("NAME");
   addEditOptions(command, options->edit);
-  addFitArguments(command, options->fit);
+  addFitOptions(command, options->fit);
 }
 
 }  // namespace cutis

@@ -3,6 +3,7 @@
 #include "core/render/render_picture.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/edit_options.h"
 #include "src/cli/output_check.h"
 
@@ -13,7 +14,7 @@ struct EditCommand {
   std::string maps;
   std::string output;
   std::string profile;
-  EditArguments edit;
+  EditOptions edit;
 };
 
 // What was said of the original values does not hold for edited ones.
@@ -50,12 +51,10 @@ void addEditCommand(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<EditCommand>();
   CLI::App& command = addCommand(app, invocation, "edit", "Change maps and write them as new maps",
                                  options, runEditCommand);
-  command.add_option("MAPS", options->maps, "Maps to edit, as written by fit")
-      ->required()
-      ->type_name("");
-  command.add_option("-o,--output", options->output, "Maps to write, an OpenEXR file (.exr)")
-      ->required()
-      ->type_name("MAPS");
+  addOption(command, "MAPS", options->maps, "", "Maps to edit, as written by fit")->required();
+  addOption(command, "-o,--output", options->output, "MAPS",
+            "Maps to write, an OpenEXR file (.exr)")
+      ->required();
   addMapsProfileOption(command, options->profile);
   addEditOptions(command, options->edit);
 }

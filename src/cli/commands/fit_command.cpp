@@ -17,7 +17,7 @@ struct FitCommand {
   std::string mask;
   std::string colorSpace;
   bool deviations = false;
-  FitArguments fit;
+  FitCommandOptions fit;
 };
 
 Status checkOutputs(const FitCommand& command, const FitRequest& request) {
@@ -35,7 +35,7 @@ Result<FitRequest> requestOf(const FitCommand& command) {
     return usageError(command.sources[1],
                       "several images are not in this version; fit one at a time");
   }
-  CUTIS_TRY(request, parseFitArguments(command.fit));
+  CUTIS_TRY(request, parseFitOptions(command.fit));
   request.source.mask = command.mask;
   request.source.colorSpace = command.colorSpace;
   if (command.deviations && request.options.method != FitMethod::refined) {
@@ -73,7 +73,7 @@ void addFitCommand(CLI::App& app, Invocation& invocation) {
   command.add_option("-o,--output", options->output, "Maps to write, an OpenEXR file (.exr)")
       ->required()
       ->type_name("MAPS");
-  addFitArguments(command, options->fit);
+  addFitOptions(command, options->fit);
   command
       .add_option("--mask", options->mask,
                   "Image of the source's size: 0 leaves a pixel out, anything else includes it "

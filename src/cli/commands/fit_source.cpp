@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "core/analyse/exposure.h"
+#include "core/base/number_text.h"
 #include "core/fit/free/free_solver.h"
 #include "core/rig/surface_reflection.h"
-#include "src/files/io/csv.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/images/capture/capture_file.h"
 

@@ -59,7 +59,7 @@ Result<Conversion> conversionFor(const Image& image, const AlbedoOptions& option
   if (found) return Conversion{space, found.value()};
   if (!found.failed() || !says) return found.failure();
   return inputError(place, "the file says that its colours are '" + space +
-                               "', which is not known; name them with --colorspace, for example " +
+                               "', which is not known; name their colour space, for example " +
                                defaultSpace(image.sourceType));
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace maps_format;
 
-constexpr char kWayOut[] = "fit an image first with cutis-cli fit";
+constexpr char kWayOut[] = "fit an image first";
 
 std::string textAttribute(const OIIO::ImageSpec& spec, const char* name) {
   return std::string(spec.get_string_attribute(name));

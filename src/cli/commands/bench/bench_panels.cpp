@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "src/cli/plot_style.h"
-#include "src/files/io/csv.h"
 #include "src/report/scale.h"
 
 namespace cutis {

@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/commands/bench/bench_errors.h"
+#include "core/base/number_text.h"
 #include "src/cli/commands/bench/bench_panels.h"
 #include "src/cli/commands/bench/bench_remarks.h"
 #include "src/cli/plot_style.h"
-#include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
 #include "src/report/label_placement.h"
 #include "src/report/scale.h"
 

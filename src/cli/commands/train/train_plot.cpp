@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/number_text.h"
 #include "src/cli/plot_panel.h"
 #include "src/cli/plot_style.h"
-#include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
 
 namespace cutis {
 namespace {

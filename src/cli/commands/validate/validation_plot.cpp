@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "src/cli/plot_style.h"
-#include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
 #include "src/report/scale.h"
 
 namespace cutis {
