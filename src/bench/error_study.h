@@ -1,7 +1,8 @@
 #pragma once
 
-// The error protocol of FITTING.md, run: all methods at all noises, and the bound that none of them
-// can beat. Fills the figures; deterministic but for times. Cancelled if asked to stop.
+// The error protocol (resources/manual/fitting.md), run: all methods at all noises, and the bound
+// that none of them can beat. Fills the figures; deterministic but for times. Cancelled if asked to
+// stop.
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"

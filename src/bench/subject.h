@@ -1,7 +1,7 @@
 #pragma once
 
-// What is measured: skin in front of a rig, and the people of the error protocol (FITTING.md) that
-// all parts of the benchmark share.
+// What is measured: skin in front of a rig, and the people of the error protocol
+// (resources/manual/fitting.md) that all parts of the benchmark share.
 
 #include <cstddef>
 #include <memory>
