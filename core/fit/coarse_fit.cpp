@@ -119,15 +119,12 @@ Status fillTile(const Measurements& measurements, const BlockGrid& grid, const B
 }  // namespace
 
 Status runCoarseFit(const Measurements& measurements, const PixelSolver& solver,
-                    ChromophoreMaps maps, const JobContext& context,
-                    const std::function<void(const Rect&)>& finished) {
+                    ChromophoreMaps maps, const JobContext& context) {
   const auto tileCount = static_cast<std::size_t>(maps.state.tileCount());
   return parallelFor(tileCount, context, [&](std::size_t i) -> Status {
     const BlockGrid grid(maps.state.tileRect(static_cast<int>(i)));
     CUTIS_TRY(values, solveBlocks(measurements, solver, grid));
-    CUTIS_CHECK(fillTile(measurements, grid, values, maps));
-    if (finished) finished(grid.rect);
-    return {};
+    return fillTile(measurements, grid, values, maps);
   });
 }
 

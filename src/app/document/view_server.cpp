@@ -104,10 +104,7 @@ ViewWatch* ViewServer::mostUrgent() const {
 void ViewServer::startNext() {
   if (job_ != 0 || !document_.isOpen()) return;
   ViewWatch* watch = mostUrgent();
-  if (watch == nullptr) {
-    Q_EMIT becameIdle();
-    return;
-  }
+  if (watch == nullptr) return;
   watch->due_ = false;
   jobIsCoarse_ = moving_;
   ViewRequest request = watch->request_;
