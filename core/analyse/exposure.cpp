@@ -39,7 +39,9 @@ double insideShare(PixelSample sample, double scale, const Rig& rig, const Pixel
 
 Result<ExposureChoice> chooseExposure(const Measurements& measurements, const PixelSolver& solver,
                                       const JobContext& context) {
-  CUTIS_TRY(sample, samplePixels(measurements, nullptr, kMostPixels, context));
+  Measurements plain = measurements;  // planes are handles
+  plain.exposure = 1.0;
+  CUTIS_TRY(sample, samplePixels(plain, nullptr, kMostPixels, context));
   if (sample.count == 0) return ExposureChoice{};
   sample.parameters.resize(solver.valueCount() * sample.count);
   constexpr auto count = static_cast<std::size_t>(kBrightestStep - kDarkestStep + 1);

@@ -132,18 +132,17 @@ void Engine::addNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
   networks_.push_back(std::move(network));
 }
 
-Result<std::shared_ptr<const ResponseModel>> Engine::picture(
-    const std::shared_ptr<const SkinModel>& model, const PictureRequest& request,
-    const std::string& place, const FreeConstants& free, const JobContext& context) {
-  CUTIS_TRY(rows, pictureRows(request, place));
+Result<std::shared_ptr<const ResponseModel>> Engine::response(
+    const std::shared_ptr<const SkinModel>& model, const SpectrumRows& rows,
+    const FreeConstants& free, const JobContext& context) {
   ContentHash hash;
   hash.add(fingerprint(model->profile()));
   hash.add(std::span<const double>(rows.data(), static_cast<std::size_t>(rows.size())));
   hash.add(static_cast<double>(free.oxygenation)).add(static_cast<double>(free.thickness));
   const std::string key = hash.digest();
-  if (auto known = find(pictures_, key)) return known;
+  if (auto known = find(responses_, key)) return known;
   CUTIS_TRY(made, ResponseModel::create(*model, rows, free, context));
-  return keep(pictures_, key, std::move(made));
+  return keep(responses_, key, std::move(made));
 }
 
 Result<std::shared_ptr<const TableSearch>> Engine::tableSearch(const SkinModel& model,

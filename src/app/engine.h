@@ -24,7 +24,6 @@
 #include "core/rig/rig.h"
 #include "core/skin/model/skin_model.h"
 #include "core/skin/response_model.h"
-#include "src/app/picture_request.h"
 
 namespace cutis {
 
@@ -61,11 +60,12 @@ class Engine {
   // Precondition: the network passed validate().
   void addNetwork(std::shared_ptr<const ChromophoreNetwork> network);
 
-  // A picture of the model's skin, of maps that bring along the constants that are `free`: then it
-  // takes some seconds where it is new.
-  Result<std::shared_ptr<const ResponseModel>> picture(
-      const std::shared_ptr<const SkinModel>& model, const PictureRequest& request,
-      const std::string& place, const FreeConstants& free = {}, const JobContext& context = {});
+  // The response of a model's skin to rows of a response matrix (src/app/picture_request.h), for
+  // maps that bring along the constants that are `free`: then it takes some seconds where it is
+  // new.
+  Result<std::shared_ptr<const ResponseModel>> response(
+      const std::shared_ptr<const SkinModel>& model, const SpectrumRows& rows,
+      const FreeConstants& free, const JobContext& context);
 
   // The search in the table of skin for a rig.
   Result<std::shared_ptr<const TableSearch>> tableSearch(const SkinModel& model, const Rig& rig,
@@ -92,7 +92,7 @@ class Engine {
   mutable std::mutex mutex_;
   Cache<SkinModel> models_;
   Cache<TableSearch> searches_;
-  Cache<ResponseModel> pictures_;
+  Cache<ResponseModel> responses_;
   std::vector<std::shared_ptr<const ChromophoreNetwork>> networks_;  // those added
 };
 

@@ -1,6 +1,7 @@
 #include "src/report/picture_file.h"
 
 #include "src/files/io/atomic_write.h"
+#include "src/files/io/file_extension.h"
 #include "src/files/io/platform.h"
 #include "src/files/resources.h"
 #include "src/report/rasteriser.h"
@@ -12,7 +13,7 @@ constexpr double kPngScale = 2.0;
 constexpr char kViewerFonts[] = "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif";
 
 bool isPng(const std::filesystem::path& path) {
-  return path.extension() == ".png";
+  return lowerExtension(path) == ".png";
 }
 
 // Null if it is not there.
@@ -30,7 +31,7 @@ Error noRasteriser(const std::filesystem::path& path) {
 }  // namespace
 
 Status checkDrawingOutput(const std::filesystem::path& path) {
-  if (path.extension() != ".svg" && !isPng(path)) {
+  if (lowerExtension(path) != ".svg" && !isPng(path)) {
     return usageError(path.string(),
                       "the plot is written as SVG or PNG; name the file with .svg or .png");
   }

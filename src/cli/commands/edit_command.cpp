@@ -1,11 +1,11 @@
 // edit: maps to maps.
 
 #include "core/render/render_picture.h"
+#include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/edit_options.h"
-#include "src/cli/output_check.h"
 
 namespace cutis {
 namespace {
@@ -29,7 +29,10 @@ void dropEstimates(MapsFile& file, const JobContext& context) {
 
 Status runEditCommand(const EditCommand& command, Session& session) {
   CUTIS_TRY(edit, parseEdit(command.edit));
-  CUTIS_CHECK(checkMapsOutput(command.output, {command.maps, command.edit.mask, command.profile}));
+  const ExportTarget target = {.path = command.output,
+                               .inputs = {command.edit.mask, command.profile},
+                               .sources = {command.maps}};
+  CUTIS_CHECK(checkMapsTarget(target));
   const JobContext& context = session.context;
   CUTIS_TRY(opened,
             openMaps(command.maps, command.profile, session, context.child(0.0, 0.4, "reading")));
@@ -37,12 +40,12 @@ Status runEditCommand(const EditCommand& command, Session& session) {
   CUTIS_CHECK(loadEditMask(command.edit, file.maps.width(), file.maps.height(), command.maps,
                            session.store, context.child(0.4, 0.45), edit));
   if (!edit.isNeutral()) {
-    CUTIS_TRY(edited, editMaps(file.maps, {edit}, opened.model->profile().axes, session.store,
+    CUTIS_TRY(edited, editMaps({opened.model, file.maps, {edit}}, session.store,
                                context.child(0.45, 0.6, "editing")));
     file.maps = std::move(edited);
     dropEstimates(file, context);
   }
-  return writeMaps(command.output, file, context.child(0.6, 1.0, "writing"));
+  return exportTo(target, file, session.engine, session.store, context.child(0.6, 1.0));
 }
 
 }  // namespace

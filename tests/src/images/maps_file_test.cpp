@@ -357,6 +357,12 @@ class MapsFileTest : public QObject {
     EXPECT_ERROR(read(folder_.path("odd.exr")), "cutis:sources");
   }
 
+  // As for other images, the case of the extension says nothing.
+  void theExtensionMayBeInCapitals() {
+    EXPECT_OK(writeMaps(folder_.path("MAPS.EXR"), makeMaps(false), {}));
+    QVERIFY(isMapsFile(folder_.path("MAPS.EXR")));
+  }
+
   void onlyOpenExrIsWritten() {
     EXPECT_ERROR(writeMaps(folder_.path("maps.tif"), makeMaps(false), {}),
                  "name the file with .exr");

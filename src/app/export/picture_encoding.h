@@ -9,13 +9,8 @@
 #include "core/base/job_context.h"
 #include "core/base/plane.h"
 #include "core/base/result.h"
-#include "src/images/codec/sample_type.h"
 
 namespace cutis {
-
-// The canonical name of the space a picture is written in: what was asked for with --colorspace,
-// else sRGB for integers and Linear Rec.709 for floats.
-Result<std::string> outputSpace(const std::string& asked, SampleType type);
 
 // Linear Rec.709 to the space, three planes, or one that is taken as grey; new planes.
 Result<std::vector<Plane>> encodePicture(const std::vector<Plane>& linear, const std::string& space,

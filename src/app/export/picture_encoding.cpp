@@ -1,4 +1,4 @@
-#include "src/cli/commands/picture_output.h"
+#include "src/app/export/picture_encoding.h"
 
 #include "core/base/parallel.h"
 #include "src/color/color_space.h"
@@ -25,11 +25,6 @@ Status encodeTile(const std::vector<Plane>& linear, const ColorConverter& conver
 }
 
 }  // namespace
-
-Result<std::string> outputSpace(const std::string& asked, SampleType type) {
-  if (!asked.empty()) return canonicalColorSpace(asked, "--colorspace");
-  return std::string(isInteger(type) ? "sRGB" : "Linear Rec.709");
-}
 
 Result<std::vector<Plane>> encodePicture(const std::vector<Plane>& linear, const std::string& space,
                                          const std::shared_ptr<TileStore>& store,
