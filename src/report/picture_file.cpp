@@ -5,6 +5,7 @@
 #include "src/files/io/platform.h"
 #include "src/files/resources.h"
 #include "src/report/rasteriser.h"
+#include "src/report/svg.h"
 
 namespace cutis {
 namespace {
@@ -40,10 +41,10 @@ Status checkDrawingOutput(const std::filesystem::path& path) {
 }
 
 Status writeDrawing(const std::filesystem::path& path, const Drawing& drawing) {
-  if (!isPng(path)) return writeTextAtomically(path, drawing.svg(kViewerFonts));
+  if (!isPng(path)) return writeTextAtomically(path, svgOf(drawing, kViewerFonts));
   const Rasterise rasterise = rasteriser();
   if (rasterise == nullptr) return noRasteriser(path);
-  const std::string svg = drawing.svg(kPlotFontFamily);
+  const std::string svg = svgOf(drawing, kPlotFontFamily);
   const std::string_view font = resource(kPlotFont).value_or(std::string_view());
   return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Status {
     const std::string name = temporary.string();

@@ -15,9 +15,11 @@ namespace cutis::test {
 namespace {
 
 Drawing drawingOf(const std::string& words) {
-  Drawing drawing(120.0, 40.0, "", "");
-  drawing.rectangle({0.0, 0.0, 120.0, 40.0}, "#ffffff", {"none", 0.0, ""});
-  drawing.text({60.0, 26.0}, words, {20.0, "#000000", false}, Anchor::middle);
+  Drawing drawing;
+  drawing.width = 120.0;
+  drawing.height = 40.0;
+  drawing.add(Rectangle{{0.0, 0.0, 120.0, 40.0}, Color::rgb(0xffffff), kNoStroke, 0.0});
+  drawing.add(Text{{60.0, 26.0}, words, {20.0, Color::rgb(0), false}, Anchor::middle});
   return drawing;
 }
 

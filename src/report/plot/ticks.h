@@ -1,11 +1,10 @@
 #pragma once
 
-// Round numbers for axes and colour bars. Digits follow the span of the axis, not the value.
+// Round numbers for axes. Digits follow the span of the axis, not the value.
 
-#include <array>
+#include <string>
+#include <utility>
 #include <vector>
-
-#include <QString>
 
 namespace cutis {
 
@@ -23,11 +22,14 @@ std::vector<double> ticksWithin(double minimum, double maximum, double step);
 // alone where that would be more than `most`. None for ranges that are not positive and finite.
 std::vector<double> logarithmicTicks(double minimum, double maximum, int most);
 
-// In the user's locale, as many decimals as tell neighbours a `step` apart.
-QString tickText(double value, double step);
+// The nearest 1, 2 or 5 times powers of ten that have both values between them, or powers of ten
+// alone; the second end is above the first. Precondition: 0 < minimum ≤ maximum, finite.
+std::pair<double, double> roundEnds(double minimum, double maximum);
+std::pair<double, double> decadeEnds(double minimum, double maximum);
 
-// The ends and the middle of a range with the fewest decimals that are right to half a percent of
-// it.
-std::array<QString, 3> rangeTexts(double minimum, double maximum);
+// Decimals that tell neighbours a `step` apart, 0 to 9.
+int decimalsFor(double step);
+// As many decimals as that, whatever the locale, with the sign of a minus.
+std::string tickWords(double value, double step);
 
 }  // namespace cutis

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/report/drawing.h"
+#include "src/report/text_metrics.h"
 
 namespace cutis {
 
@@ -26,8 +27,9 @@ struct PlacedLabel {
 };
 
 // One place for each point, deterministic; labels stay inside `area` and clear of `taken`. Where
-// there is no room for all, the least overlap is taken. size: of the font.
+// there is no room for all, the least overlap is taken. Points must be finite.
 std::vector<PlacedLabel> placeLabels(std::span<const LabelledPoint> points,
-                                     std::span<const Box> taken, const Box& area, double size);
+                                     std::span<const Box> taken, const Box& area,
+                                     const TextStyle& style, const TextMetrics& metrics);
 
 }  // namespace cutis

@@ -1,4 +1,4 @@
-#include "src/report/label_placement.h"
+#include "src/report/plot/label_placement.h"
 
 #include <algorithm>
 #include <array>
@@ -49,12 +49,13 @@ struct Candidate {
   double cost = 0.0;
 };
 
-Candidate candidateAt(const LabelledPoint& point, Point way, double distance, double size) {
+Candidate candidateAt(const LabelledPoint& point, Point way, double distance, double width,
+                      double size) {
   const double reach = point.radius + kGap + distance;
   const Point end = {point.at.x + reach * way.x, point.at.y + reach * way.y};
   Candidate candidate;
   PlacedLabel& label = candidate.label;
-  const double width = textWidth(point.label, size), height = (kAscent + kDescent) * size;
+  const double height = (kAscent + kDescent) * size;
   label.anchor = way.x > 0.1 ? Anchor::start : way.x < -0.1 ? Anchor::end : Anchor::middle;
   // Beside, above or below the end of the way.
   const double middle = end.y + 0.5 * height * (way.y < -0.5 ? -1.0 : way.y > 0.5 ? 1.0 : 0.0);
@@ -103,7 +104,11 @@ double conflicts(const Candidate& candidate, std::size_t self,
 }  // namespace
 
 std::vector<PlacedLabel> placeLabels(std::span<const LabelledPoint> points,
-                                     std::span<const Box> taken, const Box& area, double size) {
+                                     std::span<const Box> taken, const Box& area,
+                                     const TextStyle& style, const TextMetrics& metrics) {
+  std::vector<double> widths;
+  for (const LabelledPoint& point : points)
+    widths.push_back(metrics.width(point.label, style));
   std::vector<PlacedLabel> placed;
   // The first pass looks at the labels before; the others put each where it is best among all.
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -113,7 +118,8 @@ std::vector<PlacedLabel> placeLabels(std::span<const LabelledPoint> points,
       if (points[i].label.empty()) best = {};
       for (std::size_t way = 0; way < kDirections.size() && !points[i].label.empty(); ++way) {
         for (const double distance : kDistances) {
-          Candidate candidate = candidateAt(points[i], kDirections[way], distance, size);
+          Candidate candidate =
+              candidateAt(points[i], kDirections[way], distance, widths[i], style.size);
           candidate.cost +=
               1.5 * static_cast<double>(way) + conflicts(candidate, i, points, placed, taken, area);
           if (candidate.cost < best.cost) best = candidate;
