@@ -50,6 +50,10 @@ bool Edit::isNeutral() const {
                      [](const ParameterEdit& edit) { return edit.isNeutral(); });
 }
 
+bool isNeutral(const EditStack& edits) {
+  return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return edit.isNeutral(); });
+}
+
 double editedValue(const ParameterEdit& edit, Parameter parameter, const ParameterAxis& axis,
                    double value) {
   if (edit.set) return axis.clamp(*edit.set);

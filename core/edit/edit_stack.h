@@ -43,6 +43,9 @@ struct Edit {
 
 using EditStack = std::vector<Edit>;
 
+// Whether the edited maps are the original ones.
+bool isNeutral(const EditStack& edits);
+
 // The edited value of one pixel's parameter, clamped to the axis.
 double editedValue(const ParameterEdit& edit, Parameter parameter, const ParameterAxis& axis,
                    double value);

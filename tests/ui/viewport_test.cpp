@@ -9,6 +9,7 @@
 
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
@@ -22,23 +23,10 @@ void turnWheel(QWidget& widget, const QPointF& place, int notches) {
   QApplication::sendEvent(&widget, &event);
 }
 
-class ViewportTest : public QObject {
+class ViewportTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void init() {
-    view_ = std::make_unique<Viewport>();
-    view_->resize(824, 624);
-    view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
-    view_->setPictureSize(kWidth, kHeight);
-    moved_ = std::make_unique<QSignalSpy>(view_.get(), &Viewport::viewChanged);
-  }
-  void cleanup() {
-    moved_.reset();
-    view_.reset();
-  }
-
   void fitsANewPicture() {
     // 824 − 2 · 12 of margin for 1600 pixels.
     EXPECT_NEAR(view_->zoom(), 0.5, 1e-9);
@@ -215,6 +203,20 @@ class ViewportTest : public QObject {
   }
 
  private:
+  void tearDown() override {
+    moved_.reset();
+    view_.reset();
+  }
+
+  void setUp() override {
+    view_ = std::make_unique<Viewport>();
+    view_->resize(824, 624);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    view_->setPictureSize(kWidth, kHeight);
+    moved_ = std::make_unique<QSignalSpy>(view_.get(), &Viewport::viewChanged);
+  }
+
   void drag(Qt::MouseButton button, const QPoint& from, const QPoint& to) {
     QTest::mousePress(view_.get(), button, {}, from);
     QTest::mouseMove(view_.get(), (from + to) / 2);
