@@ -5,14 +5,14 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/fit/coordinate_prior.h"
+
 namespace cutis {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// The log scale ends here, in units of the axis: far below what can be measured.
-constexpr double kSmallestShare = 1e-7;
 // Standing in for "none" where no noise is asked for: well below what a 16-bit image resolves.
 constexpr double kExactNoise = 1e-7;
 // Convergence: the step would lower the cost by less than this share of one standard deviation².
