@@ -39,6 +39,7 @@ EditPanel::EditPanel(QWidget* parent)
   column->setSpacing(theme::kHalfSpace);
   column->addLayout(head);
 
+  static_assert(kParameterCount == 5, "a sixth has its slider here");
   addSlider(kMelanin, tr("Melanin"),
             tr("Pigment of the upper skin. More tans and darkens, and strengthens freckles and "
                "moles; less makes the skin paler."));

@@ -80,8 +80,7 @@ void addSpectrumCommand(CLI::App& app, Invocation& invocation) {
       ->type_name("M,B,HD,HE,C");
   command
       .add_option("--csv", options->csv,
-                  "File with the header melanin,melanin_blend,haemoglobin_dermal,"
-                  "haemoglobin_epidermal,carotene and one set per row")
+                  "File with the header " + parameterNames(",") + " and one set per row")
       ->type_name("FILE");
   command.add_option("-o,--output", options->output, "File to write (default: standard output)")
       ->type_name("FILE");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/skin/profile/parameter_names.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -21,11 +22,9 @@ constexpr std::size_t kPiecesPerWrite = 64;
 
 using Columns = std::array<std::size_t, kParameterCount>;  // indexed by Parameter
 
-std::vector<std::string> parameterNames() {
-  std::vector<std::string> names;
-  for (const Parameter parameter : kParameters)
-    names.emplace_back(parameterName(parameter));
-  return names;
+std::vector<std::string> knownNames() {
+  const auto names = parameterNames();
+  return {names.begin(), names.end()};
 }
 
 Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
@@ -35,7 +34,7 @@ Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
     const auto parameter = parameterByName(header.fields[c]);
     if (!parameter) {
       return inputError(place, "unknown column '" + std::string(header.fields[c]) + "'; " +
-                                   suggestName(std::string(header.fields[c]), parameterNames()));
+                                   suggestName(std::string(header.fields[c]), knownNames()));
     }
     if (found[*parameter]) {
       return inputError(place, "the column '" + std::string(header.fields[c]) + "' is there twice");
@@ -81,8 +80,7 @@ Result<ParameterVector> parseParameters(const std::vector<std::string_view>& fie
   if (fields.size() != kParameterCount) {
     return Error{kind, place,
                  "there are " + std::to_string(fields.size()) +
-                     " values; give five: melanin, melanin_blend, haemoglobin_dermal, "
-                     "haemoglobin_epidermal, carotene"};
+                     " values; give five: " + parameterNames(", ")};
   }
   ParameterVector values;
   for (const Parameter parameter : kParameters) {

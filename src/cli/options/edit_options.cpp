@@ -18,6 +18,9 @@ Status parseScale(const char* option, const std::string& text, ParameterEdit& ed
   return {};
 }
 
+static_assert(kParameterCount == 5,
+              "a sixth has a field in EditArguments, and its option here and in addEditOptions()");
+
 Status parseScales(const EditArguments& arguments, Edit& edit) {
   auto& parameters = edit.parameters;
   CUTIS_CHECK(parseScale("--melanin", arguments.melanin, parameters[kMelanin]));
