@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/analyse/diffusion_domain.h"
 #include "core/analyse/exposure.h"
 #include "core/fit/free/free_solver.h"
 #include "core/rig/surface_reflection.h"
@@ -71,6 +72,19 @@ void warnOfAssumptions(const std::string& path, const FittedSource& fitted,
   }
 }
 
+// Diffusion reads skin outside its domain too bright.
+void warnOfDiffusion(const std::string& path, const FittedSource& fitted,
+                     const JobContext& context) {
+  const double outside = fitted.outsideDiffusion.value_or(0.0);
+  if (outside <= kNoticeableOutside) return;
+  context.say(path + ": in " + formatNumber(100.0 * outside, 2) +
+              " % of the solved pixels the skin absorbs more visible light than it scatters, where "
+              "diffusion, the layer optics of profile '" +
+              fitted.model->profile().name +
+              "', no longer holds; a profile by adding-doubling holds there, such as --profile "
+              "skin2026");
+}
+
 }  // namespace
 
 Result<FittedSource> fitSource(const std::string& path, const FitRequest& request,
@@ -117,6 +131,10 @@ Result<FittedSource> fitSource(const std::string& path, const FitRequest& reques
   CUTIS_TRY(constants, summariseConstants(fitted.source.measurements, fitted.planes.maps, *solver,
                                           model->profile(), context.child(1.0, 1.0)));
   fitted.constants = std::move(constants);
+  CUTIS_TRY(outside,
+            shareOutsideDiffusion(fitted.planes.maps, model->profile(), context.child(1.0, 1.0)));
+  fitted.outsideDiffusion = outside;
+  warnOfDiffusion(path, fitted, context);
   warnOfAssumptions(path, fitted, context);
   warnOfNoise(path, options, fitted, context);
   fitted.seconds.fit = lap.seconds();

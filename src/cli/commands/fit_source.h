@@ -3,6 +3,7 @@
 // From a path to fitted maps, as `fit` and `apply` need them.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,7 @@ struct FittedSource {
   FitStatistics statistics;
   GamutStatistics gamut;
   std::vector<ConstantSummary> constants;  // one for each that is free
+  std::optional<double> outsideDiffusion;  // share of the pixels; none by radiative transfer
   int nodes = 0;
   double nodeRms = 0.0;    // error of a channel summed at the nodes …
   double nodeWorst = 0.0;  // … and the worst of those looked at

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/analyse/diffusion_domain.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/json_file.h"
 #include "src/files/profiles/profile_file.h"
@@ -95,6 +96,17 @@ Result<std::string> valuesText(const ChromophoreMaps& maps, const Plane& plane) 
   return "median " + median + ", 5–95 % " + number(0.05) + " to " + number(0.95);
 }
 
+// How much of the maps lies outside diffusion's domain, for maps of a profile that uses it.
+Result<std::string> diffusionText(const MapsFile& file, const std::string& path,
+                                  const Session& session) {
+  if (file.attributes.profileJson.empty()) return std::string();
+  CUTIS_TRY(profile, parseProfile(file.attributes.profileJson, path));
+  CUTIS_TRY(outside, shareOutsideDiffusion(file.maps, profile, session.context));
+  if (!outside) return std::string();
+  return formatNumber(100.0 * *outside, 2) +
+         " % of the pixels absorb more visible light than they scatter";
+}
+
 Result<std::string> describeMaps(const std::string& path, const Session& session) {
   CUTIS_TRY(file, readMaps(path, PixelFormat::float32, session.store, session.context));
   const MapsAttributes& attributes = file.attributes;
@@ -120,6 +132,8 @@ Result<std::string> describeMaps(const std::string& path, const Session& session
   text += line("further parts", listOf(further));
   CUTIS_TRY(counts, countStates(file.maps.state, nullptr, nullptr));
   text += line("pixels", statesText(counts));
+  CUTIS_TRY(diffusion, diffusionText(file, path, session));
+  text += line("outside diffusion's domain", diffusion);
   for (const Parameter parameter : kParameters) {
     CUTIS_TRY(values, valuesText(file.maps, file.maps.values[parameter]));
     text += line(std::string(parameterName(parameter)), values);
