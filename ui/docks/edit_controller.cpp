@@ -11,12 +11,12 @@
 namespace cutis {
 namespace {
 
-constexpr std::array<const char*, kParameterCount> kNames = {
-    QT_TRANSLATE_NOOP("EditController", "Melanin"),
-    QT_TRANSLATE_NOOP("EditController", "Melanin blend"),
-    QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
-    QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
-    QT_TRANSLATE_NOOP("EditController", "Carotene")};
+constexpr std::array kNames = {QT_TRANSLATE_NOOP("EditController", "Melanin"),
+                               QT_TRANSLATE_NOOP("EditController", "Melanin blend"),
+                               QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
+                               QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
+                               QT_TRANSLATE_NOOP("EditController", "Carotene")};
+static_assert(kNames.size() == kParameterCount, "a sixth has its name here");
 
 // Linked haemoglobins move together and are undone together.
 QString mergeGroupOf(int parameter) {

@@ -31,6 +31,7 @@ EditPanel::EditPanel(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kHalfSpace);
 
+  static_assert(kParameterCount == 5, "a sixth has its slider here");
   addSlider(kMelanin, tr("Melanin"),
             tr("Pigment of the upper skin. More tans and darkens, and strengthens freckles and "
                "moles; less makes the skin paler."));

@@ -75,9 +75,9 @@ Errors errorsAgainstReference() {
       p[static_cast<Eigen::Index>(k)] = columns.columns[k][i];
     }
     for (int s = 0; s < kSampleCount; ++s) {
+      const LayerPair absorption = model().absorption().at(s, p);
       const LayeredReflectance exact =
-          model().optics().evaluate(s, epidermalAbsorptionAt(model().epidermis(), s, p),
-                                    dermalAbsorptionAt(model().dermis(), s, p));
+          model().optics().evaluate(s, absorption.epidermal, absorption.dermal);
       const std::size_t at = static_cast<std::size_t>(s) * count + i;
       errors.value = std::max(errors.value, std::abs(value[at] - exact.reflectance));
       const auto slopeError = [](double a, double b) {
