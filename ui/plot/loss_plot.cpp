@@ -18,7 +18,7 @@ namespace cutis {
 namespace {
 
 constexpr int kMostEpochTicks = 5;
-constexpr double kPointRadius = 2;
+constexpr double kEndRadius = 2;
 // An axis of less than this ratio would show noise as progress.
 constexpr double kLeastSpan = 10;
 
@@ -179,7 +179,7 @@ void LossPlot::drawCurve(QPainter& painter, std::size_t curve, const QVector<dou
   if (errors.size() != 1 || !drawing) return;
   painter.setPen(Qt::NoPen);
   painter.setBrush(pen.color());
-  painter.drawEllipse(path.currentPosition(), kPointRadius, kPointRadius);
+  painter.drawEllipse(path.currentPosition(), kEndRadius, kEndRadius);
 }
 
 }  // namespace cutis

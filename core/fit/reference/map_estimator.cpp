@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 // The log scale ends here, in units of the axis: far below what can be measured.
 constexpr double kSmallestShare = 1e-7;
 // Standing in for "none" where no noise is asked for: well below what a 16-bit image resolves.
-constexpr double kExactNoise = 1e-7;
+constexpr double kExactNoiseOfMap = 1e-7;
 // Convergence: the step would lower the cost by less than this share of one standard deviation².
 constexpr double kDecrement = 1e-10;
 
@@ -129,7 +129,8 @@ Estimate MapEstimator::solve(const VectorXd& channels) const {
 Estimate MapEstimator::solve(const VectorXd& channels, const ParameterVector& start) const {
   VectorXd precision(channels.size());
   for (Index k = 0; k < channels.size(); ++k) {
-    const double variance = options_.noise.variance(channels[k]) + kExactNoise * kExactNoise;
+    const double variance =
+        options_.noise.variance(channels[k]) + kExactNoiseOfMap * kExactNoiseOfMap;
     precision[k] = alive_[static_cast<std::size_t>(k)] ? 1.0 / variance : 0.0;
   }
   std::array<bool, kParameterCount> fixed;

@@ -9,13 +9,13 @@
 namespace cutis {
 namespace {
 
-constexpr int kSamples = 8192;
+constexpr int kFreeSamples = 8192;
 // Shares of the progress: the fit with the profile's own constants, and the tables of the layers.
 constexpr double kOwnShare = 0.1, kTablesShare = 0.2;
 
 template <int N>
-std::vector<SearchPoint<N>> samplesOf(const ParameterAxes& axes) {
-  const std::vector<ParameterVector> sets = sampleBox(axes, kSamples);
+std::vector<SearchPoint<N>> sampledPoints(const ParameterAxes& axes) {
+  const std::vector<ParameterVector> sets = sampleBox(axes, kFreeSamples);
   std::vector<SearchPoint<N>> samples(sets.size());
   for (std::size_t i = 0; i < sets.size(); ++i) {
     samples[i].template head<kParameterCount>() = sets[i];
@@ -47,7 +47,7 @@ Result<std::vector<FreeSpectrumFit>> fitFrom(const std::vector<SpectrumFit>& own
   for (const SpectrumFit& fit : own)
     known.push_back(misfit.setAt(fit.parameters, constantsOf(model.profile())));
   CUTIS_TRY(found,
-            searchSpectra(misfit, samplesOf<N>(misfit.axes()), {known},
+            searchSpectra(misfit, sampledPoints<N>(misfit.axes()), {known},
                           asModelled(geometry, reflectances), context.child(kTablesShare, 1.0)));
   std::vector<FreeSpectrumFit> fits;
   for (const FoundPoint<N>& one : found) {

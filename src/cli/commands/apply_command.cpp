@@ -25,7 +25,7 @@ struct ApplyCommand {
 };
 
 // What is edited and with what.
-struct Subject {
+struct AppliedSubject {
   Source source;
   ChromophoreMaps maps;
   std::shared_ptr<const SkinModel> model;
@@ -60,8 +60,8 @@ void compareSources(const Source& source, const MapsFile& maps, const ApplyComma
               " is now");
 }
 
-Result<Subject> openWithMaps(const ApplyCommand& command, const Session& session,
-                             const JobContext& context) {
+Result<AppliedSubject> openWithMaps(const ApplyCommand& command, const Session& session,
+                                    const JobContext& context) {
   CUTIS_TRY(opened, openMaps(command.maps, command.fit.profile, session, context.child(0.0, 0.5)));
   const std::string& path = command.sources.front();
   SourceOptions options;
@@ -86,14 +86,14 @@ Result<Subject> openWithMaps(const ApplyCommand& command, const Session& session
                                         "; name the maps of this source");
   }
   compareSources(source, opened.file, command, context);
-  return Subject{std::move(source), maps, opened.model, opened.file.attributes.exposure};
+  return AppliedSubject{std::move(source), maps, opened.model, opened.file.attributes.exposure};
 }
 
-Result<Subject> openAndFit(const ApplyCommand& command, const FitRequest& request,
-                           const Session& session) {
+Result<AppliedSubject> openAndFit(const ApplyCommand& command, const FitRequest& request,
+                                  const Session& session) {
   CUTIS_TRY(fitted, fitSource(command.sources.front(), request, session, 0.6));
   const double exposure = fitted.source.exposure;
-  return Subject{std::move(fitted.source), fitted.planes.maps, fitted.model, exposure};
+  return AppliedSubject{std::move(fitted.source), fitted.planes.maps, fitted.model, exposure};
 }
 
 struct OutputFormat {

@@ -19,12 +19,12 @@ namespace cutis {
 namespace {
 
 constexpr char kColorRig[] = "albedo";
-constexpr WavelengthRange kModelRange = {kFirstWavelengthNm, kLastWavelengthNm};
+constexpr WavelengthRange kCalibratedRange = {kFirstWavelengthNm, kLastWavelengthNm};
 constexpr std::size_t kFewest = kParameterCount + 1;
 constexpr int kMostRepetitions = 1000;
 constexpr int kUsualHalvings = 6;
 constexpr int kUsualBootstraps = 30;
-constexpr int kDecimals = 4;
+constexpr int kTableDecimals = 4;
 
 struct CalibrateCommand {
   std::string recipe;
@@ -55,7 +55,7 @@ Result<CalibrationInput> readInput(const CalibrateCommand& command, const JobCon
   input.recipe = recipe;
   input.colorRig = rig;
   for (const std::string& path : command.spectra) {
-    CUTIS_TRY(spectra, readMeasuredSpectra(path, kModelRange, kFewest, context));
+    CUTIS_TRY(spectra, readMeasuredSpectra(path, kCalibratedRange, kFewest, context));
     input.spectra.push_back(std::move(spectra));
   }
   CUTIS_CHECK(checkSpectra(input, command.spectra));
@@ -74,8 +74,9 @@ std::string tablesOf(const CalibratedProfile& calibrated) {
   TextTable errors({"mean RMSE of", "over", "all", "left out", "worst half"}, 2);
   for (const CalibrationError& error : calibrated.errors) {
     if (std::isnan(error.all)) continue;
-    errors.add({error.spectra, error.range, fixedNumber(error.all, kDecimals),
-                fixedNumber(error.leftOut, kDecimals), fixedNumber(error.worst, kDecimals)});
+    errors.add({error.spectra, error.range, fixedNumber(error.all, kTableDecimals),
+                fixedNumber(error.leftOut, kTableDecimals),
+                fixedNumber(error.worst, kTableDecimals)});
   }
   return constants.text() + "\n" + errors.text();
 }

@@ -20,10 +20,10 @@
 namespace cutis {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotAvailable = std::numeric_limits<double>::quiet_NaN();
 constexpr char kMadePlace[] = "the calibrated profile";
 // Of a constant in the profile: its interval is rarely narrower.
-constexpr int kDigits = 3;
+constexpr int kConstantDigits = 3;
 constexpr int kPriorDigits = 4;
 constexpr int kErrorDecimals = 4;
 // Which of the random sequences.
@@ -91,7 +91,7 @@ class ProfileCalibrator {
     };
     CUTIS_TRY(best, calibrated(sets_, start, next("calibrating")));
     for (double& constant : best)
-      constant = rounded(constant, kDigits);
+      constant = rounded(constant, kConstantDigits);
     describeConstants(start, best);
     CUTIS_CHECK(judgeAll(best));
     for (int halving = 0; halving < input_.halvings; ++halving) {
@@ -266,15 +266,15 @@ class ProfileCalibrator {
 
   void describeConstants(const std::vector<double>& start, const std::vector<double>& best) {
     for (std::size_t k = 0; k < best.size(); ++k) {
-      result_.constants.push_back(
-          {displayName(recipe_, recipe_.constants[k]), start[k], best[k], kNone, kNone});
+      result_.constants.push_back({displayName(recipe_, recipe_.constants[k]), start[k], best[k],
+                                   kNotAvailable, kNotAvailable});
     }
   }
 
   void summarise() {
     for (std::size_t i = 0; i < result_.errors.size(); ++i) {
       CalibrationError& error = result_.errors[i];
-      error.leftOut = error.worst = leftOut_.empty() ? kNone : 0.0;
+      error.leftOut = error.worst = leftOut_.empty() ? kNotAvailable : 0.0;
       for (const std::vector<double>& half : leftOut_) {
         error.leftOut += half[i] / static_cast<double>(leftOut_.size());
         error.worst = std::max(error.worst, half[i]);
@@ -290,8 +290,8 @@ class ProfileCalibrator {
         return drawn[static_cast<std::size_t>(
             std::lround(share * static_cast<double>(drawn.size() - 1)))];
       };
-      result_.constants[k].low = rounded(at(0.05), kDigits);
-      result_.constants[k].high = rounded(at(0.95), kDigits);
+      result_.constants[k].low = rounded(at(0.05), kConstantDigits);
+      result_.constants[k].high = rounded(at(0.95), kConstantDigits);
     }
   }
 

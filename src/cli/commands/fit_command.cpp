@@ -20,7 +20,7 @@ struct FitCommand {
   FitArguments fit;
 };
 
-Status checkOutputs(const FitCommand& command, const FitRequest& request) {
+Status checkFitOutputs(const FitCommand& command, const FitRequest& request) {
   CUTIS_TRY(inputs, inputFiles(command.sources.front()));
   for (const std::string& file : filesRead(request))
     inputs.push_back(file);
@@ -48,7 +48,7 @@ Result<FitRequest> requestOf(const FitCommand& command) {
 
 Status runFitCommand(const FitCommand& command, Session& session) {
   CUTIS_TRY(request, requestOf(command));
-  CUTIS_CHECK(checkOutputs(command, request));
+  CUTIS_CHECK(checkFitOutputs(command, request));
   CUTIS_TRY(fitted, fitSource(command.sources.front(), request, session, 0.9));
   CUTIS_TRY(file, mapsFileOf(fitted, request));
   const auto start = std::chrono::steady_clock::now();

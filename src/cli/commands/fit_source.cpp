@@ -14,18 +14,18 @@
 namespace cutis {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using ProgressClock = std::chrono::steady_clock;
 
 // Seconds since the last call.
 class Lap {
  public:
   double seconds() {
-    const auto now = Clock::now();
+    const auto now = ProgressClock::now();
     return std::chrono::duration<double>(now - std::exchange(start_, now)).count();
   }
 
  private:
-  Clock::time_point start_ = Clock::now();
+  ProgressClock::time_point start_ = ProgressClock::now();
 };
 
 Status setBestExposure(const std::string& path, const SourceOptions& options,

@@ -52,7 +52,7 @@ struct Picture {
   bool isColor = true;  // of an observer, in a colour space
 };
 
-Result<Picture> pictureOf(const RenderCommand& command) {
+Result<Picture> rendered(const RenderCommand& command) {
   if (!command.band.empty()) {
     CUTIS_TRY(request, bandRequest(command));
     return Picture{request, false};
@@ -73,7 +73,7 @@ Result<Picture> pictureOf(const RenderCommand& command) {
 }
 
 Status runRenderCommand(const RenderCommand& command, Session& session) {
-  CUTIS_TRY(picture, pictureOf(command));
+  CUTIS_TRY(picture, rendered(command));
   CUTIS_TRY(type,
             imageOutputType(command.output, command.bitDepth,
                             {command.maps, command.profile, command.light, command.observer}));

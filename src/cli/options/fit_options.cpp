@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastExposure = 1e-6;
 constexpr double kMostExposure = 1e6;
-constexpr double kMostNoise = 1.0;
+constexpr double kMostAssumedNoise = 1.0;
 
 // The other methods know neither a prior nor parameters that are held.
 Status checkMethodOptions(const FitArguments& arguments, FitMethod method) {
@@ -135,7 +135,7 @@ Result<FitRequest> parseFitArguments(const FitArguments& arguments) {
   request.source.lights = commaSeparated(arguments.lights);
   CUTIS_CHECK(parseExposure(arguments.exposure, request));
   if (!arguments.noise.empty()) {
-    CUTIS_TRY(noise, realNumbers("--noise", arguments.noise, 2, 0.0, kMostNoise));
+    CUTIS_TRY(noise, realNumbers("--noise", arguments.noise, 2, 0.0, kMostAssumedNoise));
     request.options.noise = NoiseModel{noise[0], noise[1]};
   }
   CUTIS_TRY(measurement, parseMeasurement(arguments.measurement));

@@ -27,7 +27,7 @@ const Profile& twoLayers() {
   return profile;
 }
 
-int sampleAt(int nm) {
+int indexOf(int nm) {
   return (nm - kFirstWavelengthNm) / kWavelengthStepNm;
 }
 
@@ -117,10 +117,10 @@ class TwoLayerProfileTest : public QObject {
     for (const Row& row : kRows) {
       for (int nm = 300; nm <= 1000; nm += 10) {
         const double expected = epidermis(p, row.parameters, nm);
-        EXPECT_NEAR(epidermalAbsorptionAt(upper, sampleAt(nm), row.parameters), expected,
+        EXPECT_NEAR(epidermalAbsorptionAt(upper, indexOf(nm), row.parameters), expected,
                     2e-7 * expected);
         const double below = dermis(p, row.parameters, nm);
-        EXPECT_NEAR(dermalAbsorptionAt(lower, sampleAt(nm), row.parameters), below, 1e-12);
+        EXPECT_NEAR(dermalAbsorptionAt(lower, indexOf(nm), row.parameters), below, 1e-12);
       }
     }
   }
@@ -139,9 +139,9 @@ class TwoLayerProfileTest : public QObject {
     const Spectrum inDermis = bloodIn(p, p.dermalBlood), inEpidermis = bloodIn(p, p.epidermalBlood);
     const Spectrum moved = 3.0 * shiftedAndSmoothed(p.carotene, 24.0, 8.0);
     for (std::size_t k = 0; k < kNm.size(); ++k) {
-      EXPECT_NEAR(inDermis[sampleAt(kNm[k])], dermal[k], 1e-6);
-      EXPECT_NEAR(inEpidermis[sampleAt(kNm[k])], epidermal[k], 1e-6);
-      EXPECT_NEAR(moved[sampleAt(kNm[k])], carotenes[k], 1e-6);
+      EXPECT_NEAR(inDermis[indexOf(kNm[k])], dermal[k], 1e-6);
+      EXPECT_NEAR(inEpidermis[indexOf(kNm[k])], epidermal[k], 1e-6);
+      EXPECT_NEAR(moved[indexOf(kNm[k])], carotenes[k], 1e-6);
     }
   }
 
@@ -163,7 +163,7 @@ class TwoLayerProfileTest : public QObject {
     double worst = 0.0;
     for (const Row& row : kRows) {
       for (std::size_t k = 0; k < kNm.size(); ++k) {
-        const int i = sampleAt(kNm[k]);
+        const int i = indexOf(kNm[k]);
         const std::vector<TransportLayer> skin = {
             {epidermalAbsorptionAt(upper, i, row.parameters), above[i], p.epidermalThicknessMm},
             {dermalAbsorptionAt(lower, i, row.parameters), below[i]}};
