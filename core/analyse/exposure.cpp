@@ -12,7 +12,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::size_t kExposurePixels = 4096;
+constexpr std::size_t kMostPixels = 4096;
 constexpr int kStepsPerOctave = 6;
 constexpr int kDarkestStep = -3 * kStepsPerOctave;
 constexpr int kBrightestStep = kStepsPerOctave;
@@ -39,7 +39,9 @@ double insideShare(PixelSample sample, double scale, const Rig& rig, const Pixel
 
 Result<ExposureChoice> chooseExposure(const Measurements& measurements, const PixelSolver& solver,
                                       const JobContext& context) {
-  CUTIS_TRY(sample, samplePixels(measurements, nullptr, kExposurePixels, context));
+  Measurements plain = measurements;  // planes are handles
+  plain.exposure = 1.0;
+  CUTIS_TRY(sample, samplePixels(plain, nullptr, kMostPixels, context));
   if (sample.count == 0) return ExposureChoice{};
   sample.parameters.resize(solver.valueCount() * sample.count);
   constexpr auto count = static_cast<std::size_t>(kBrightestStep - kDarkestStep + 1);

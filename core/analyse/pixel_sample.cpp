@@ -61,6 +61,7 @@ Result<PixelSample> samplePixels(const Measurements& measurements, const Chromop
                                  std::size_t most, const JobContext& context) {
   const int step = stepFor(measurements.width(), measurements.height(), most);
   Rows channels(measurements.channels);
+  const auto exposure = static_cast<float>(measurements.exposure);
   Rows parameters(maps == nullptr ? std::vector<Plane>() : maps->planes());
   Rows state({maps == nullptr ? measurements.state : maps->state});
   std::vector<float> seen, known;
@@ -73,7 +74,7 @@ Result<PixelSample> samplePixels(const Measurements& measurements, const Chromop
       const auto x = static_cast<std::size_t>(column);
       if (!canBeSolved(state.at(0, x))) continue;
       for (std::size_t k = 0; k < channels.count(); ++k)
-        seen.push_back(channels.at(k, x));
+        seen.push_back(channels.at(k, x) * exposure);
       for (std::size_t k = 0; k < parameters.count(); ++k)
         known.push_back(parameters.at(k, x));
     }

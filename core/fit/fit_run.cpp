@@ -75,7 +75,7 @@ class TileFit {
   Status load() {
     channels_.resize(channelCount_ * pixelCount_);
     for (std::size_t k = 0; k < channelCount_; ++k) {
-      CUTIS_CHECK(measurements_.channels[k].load(rect_, row(channels_, k)));
+      CUTIS_CHECK(measurements_.loadChannel(k, rect_, row(channels_, k)));
     }
     states_.resize(pixelCount_);
     return measurements_.state.load(rect_, states_);

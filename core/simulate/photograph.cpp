@@ -21,7 +21,8 @@ constexpr std::uint64_t kNoiseStream = 800;
 // Pixels evaluated at once: their reflectances stay in the cache.
 constexpr std::size_t kBatch = 512;
 
-struct Scene {
+// What is photographed, and how.
+struct Sitting {
   const ChromophoreMaps& maps;
   const ChannelModel model;
   const Backdrop backdrop;
@@ -32,13 +33,13 @@ struct Scene {
 // Channels of one tile, in a plane each.
 class TileExposure {
  public:
-  TileExposure(const Scene& scene, const Rect& rect)
-      : scene_(scene),
+  TileExposure(const Sitting& sitting, const Rect& rect)
+      : sitting_(sitting),
         rect_(rect),
-        channels_(scene.model.channelCount(), std::vector<float>(rect.pixelCount())) {}
+        channels_(sitting.model.channelCount(), std::vector<float>(rect.pixelCount())) {}
 
   Status run(Measurements& photographs) {
-    CUTIS_TRY(skin, loadParameters(scene_.maps, rect_));
+    CUTIS_TRY(skin, loadParameters(sitting_.maps, rect_));
     exposeSkin(skin);
     exposeBackdrop(skin.present);
     addNoise();
@@ -65,15 +66,15 @@ class TileExposure {
       }
       for (std::size_t k = 0; k < out.size(); ++k)
         out[k] = channels_[k].data() + begin;
-      scene_.model.evaluate(batch, reflectance, out.data());
+      sitting_.model.evaluate(batch, reflectance, out.data());
     }
   }
 
   void exposeBackdrop(const std::vector<bool>& present) {
     if (std::find(present.begin(), present.end(), false) == present.end()) return;
-    const std::vector<float> level = scene_.backdrop.level(rect_);
+    const std::vector<float> level = sitting_.backdrop.level(rect_);
     for (std::size_t k = 0; k < channels_.size(); ++k) {
-      const float reading = scene_.backdrop.channel(k);
+      const float reading = sitting_.backdrop.channel(k);
       for (std::size_t i = 0; i < level.size(); ++i) {
         if (!present[i]) channels_[k][i] = reading * level[i];
       }
@@ -81,10 +82,10 @@ class TileExposure {
   }
 
   void addNoise() {
-    const auto deviation = static_cast<float>(scene_.proportionalNoise);
-    const auto pictureWidth = static_cast<std::uint64_t>(scene_.maps.width());
+    const auto deviation = static_cast<float>(sitting_.proportionalNoise);
+    const auto pictureWidth = static_cast<std::uint64_t>(sitting_.maps.width());
     for (std::size_t k = 0; k < channels_.size(); ++k) {
-      const std::uint64_t key = noiseKey(scene_.seed, kNoiseStream + k);
+      const std::uint64_t key = noiseKey(sitting_.seed, kNoiseStream + k);
       float* value = channels_[k].data();
       for (int y = rect_.y0; y < rect_.y1; ++y) {
         const std::uint64_t pixel =
@@ -109,7 +110,7 @@ class TileExposure {
     return states;
   }
 
-  const Scene& scene_;
+  const Sitting& sitting_;
   const Rect rect_;
   std::vector<std::vector<float>> channels_;
 };
@@ -123,8 +124,9 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
     return usageError("", "the noise must be a standard deviation from 0, such as 0.005");
   }
   CUTIS_TRY(channels, ChannelModel::create(model, rig, maps.free(), context.child(0.0, 0.2)));
-  const Scene scene = {maps, std::move(channels), Backdrop(rig, maps.width(), maps.height(), seed),
-                       proportionalNoise, seed};
+  const Sitting sitting = {maps, std::move(channels),
+                           Backdrop(rig, maps.width(), maps.height(), seed), proportionalNoise,
+                           seed};
   Measurements photographs;
   photographs.rig = rig;
   photographs.state = Plane(maps.width(), maps.height(), PixelFormat::half);
@@ -134,7 +136,7 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
   CUTIS_CHECK(parallelFor(static_cast<std::size_t>(photographs.state.tileCount()),
                           context.child(0.2, 1.0), [&](std::size_t i) {
                             const Rect rect = photographs.state.tileRect(static_cast<int>(i));
-                            return TileExposure(scene, rect).run(photographs);
+                            return TileExposure(sitting, rect).run(photographs);
                           }));
   return photographs;
 }

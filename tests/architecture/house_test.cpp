@@ -1,4 +1,4 @@
-// ARCHITECTURE.md, "Includes run only downwards": the rules on the house itself.
+// "Includes run only downwards" (ARCHITECTURE.md): the rules on the house itself.
 
 #include <filesystem>
 #include <fstream>

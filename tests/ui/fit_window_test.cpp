@@ -10,7 +10,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/training/usual_training.h"
+#include "src/app/training/network_training.h"
 #include "src/files/networks/network_file.h"
 #include "src/files/resources.h"
 #include "tests/support/expect.h"

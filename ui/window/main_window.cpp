@@ -12,7 +12,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "src/app/export/albedo_export.h"
+#include "src/app/export/export.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/edit_panel.h"
@@ -37,6 +37,7 @@ constexpr int kPlotHeight = 220;
 constexpr int kMostRecentFiles = 8;
 constexpr char kRecentFiles[] = "recentFiles";
 constexpr char kGeometry[] = "geometry";
+constexpr std::size_t kMemoryForExport = std::size_t{1} << 30;
 
 }  // namespace
 
@@ -190,10 +191,12 @@ void MainWindow::connectJobs() {
   };
   connect(document_.get(), &Document::failed, this, showError);
   connect(server_.get(), &ViewServer::failed, this, showError);
+  connect(&jobs_, &JobRunner::failed, this,
+          [this](JobId, const QString& sentence) { progress_->showMessage(sentence, true); });
   connect(document_.get(), &Document::noticed, this,
           [this](const QString& sentence) { progress_->showMessage(sentence, false); });
   connect(document_.get(), &Document::opened, this, &MainWindow::documentOpened);
-  connect(document_.get(), &Document::fitted, this, &MainWindow::documentFitted);
+  connect(document_.get(), &Document::fitted, this, &MainWindow::updateActions);
   connect(document_.get(), &Document::editsChanged, this, &MainWindow::updateActions);
   connect(document_.get(), &Document::fitChoiceChanged, this, &MainWindow::updateActions);
 }
@@ -204,22 +207,6 @@ void MainWindow::documentOpened() {
   viewport_->setFocus();
   for (const auto& file : document_->sourceFiles())
     remember(QString::fromStdString(file.string()));
-  updateActions();
-}
-
-void MainWindow::documentFitted() {
-  const FitStatistics::Pixels& pixels = document_->statistics().pixels;
-  const auto percent = [&](std::uint64_t count) {
-    return 100.0 * static_cast<double>(count) / static_cast<double>(pixels.total);
-  };
-  if (pixels.total > 0 && pixels.solved + pixels.duplicate == 0) {
-    progress_->showMessage(tr("No pixel could be fitted: all are masked, black or saturated"),
-                           true);
-  } else if (pixels.total > 0 && percent(pixels.noConvergence) > 1.0) {
-    progress_->showMessage(tr("%1 % of the pixels did not settle; their values are rough")
-                               .arg(percent(pixels.noConvergence), 0, 'f', 0),
-                           false);
-  }
   updateActions();
 }
 
@@ -248,17 +235,22 @@ void MainWindow::openPath(const QString& path) {
 }
 
 void MainWindow::exportAlbedo(const QString& path) {
-  const std::filesystem::path file(path.toStdString());
+  const Scene& scene = document_->scene();
+  ExportTarget target = {std::filesystem::path(path.toStdString())};
+  for (const std::filesystem::path& file : document_->sourceFiles())
+    target.sources.push_back(file.string());
   jobs_.start(tr("Export %1").arg(QFileInfo(path).fileName()),
-              [this, file, path, scene = document_->scene(),
-               sources = document_->sourceFiles()](const JobRunner::Handle& job) {
-                const auto store = std::make_shared<TileStore>(std::size_t{1} << 30);
-                const Status status =
-                    cutis::exportAlbedo(scene, *engine_, file, sources, store, job.context);
-                if (status.cancelled()) return;
-                const bool failed = status.failed();
-                const QString sentence = failed ? QString::fromStdString(status.error().text())
-                                                : tr("Written: %1").arg(path);
+              [this, path, target,
+               albedo = EditedAlbedo{scene, scene.source}](const JobRunner::Handle& job) {
+                const auto store = std::make_shared<TileStore>(kMemoryForExport);
+                const ExportOutcome outcome =
+                    exportWithNotes(target, albedo, *engine_, store, job.context);
+                if (outcome.status.cancelled()) return;
+                const bool failed = outcome.status.failed();
+                QString sentence = failed ? QString::fromStdString(outcome.status.error().text())
+                                          : tr("Written: %1").arg(path);
+                for (const std::string& note : outcome.notes)
+                  sentence += "; " + QString::fromStdString(note);
                 job.post([this, sentence, failed] { progress_->showMessage(sentence, failed); });
               });
 }

@@ -71,7 +71,6 @@ class MainWindow : public QMainWindow {
   void connectJobs();
   void connectStrip();
   void documentOpened();
-  void documentFitted();
   void updateActions();
   void syncLight();
   void chooseCapture();

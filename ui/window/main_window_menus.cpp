@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 
+#include "src/images/image_formats.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
@@ -17,7 +18,30 @@
 namespace cutis {
 namespace {
 
-constexpr char kReadableImages[] = "*.png *.tif *.tiff *.exr *.jpg *.jpeg *.bmp *.tga *.hdr";
+// "*.tif *.tiff"
+QString patternsOf(const ImageFormat& format) {
+  QStringList patterns;
+  for (const std::string_view extension : format.extensions)
+    patterns << "*" + QString::fromLatin1(extension.data(), qsizetype(extension.size()));
+  return patterns.join(' ');
+}
+
+QString readPatterns() {
+  QStringList patterns;
+  for (const ImageFormat& format : imageFormats())
+    patterns << patternsOf(format);
+  return patterns.join(' ');
+}
+
+// "OpenEXR (*.exr);;TIFF (*.tif *.tiff);;…"
+QString writtenFilters() {
+  QStringList filters;
+  for (const ImageFormat& format : imageFormats()) {
+    const QString name = QString::fromLatin1(format.name.data(), qsizetype(format.name.size()));
+    if (format.isWritten()) filters << QString("%1 (%2)").arg(name, patternsOf(format));
+  }
+  return filters.join(";;");
+}
 
 }  // namespace
 
@@ -81,7 +105,7 @@ void MainWindow::chooseCapture() {
 
 void MainWindow::chooseImage() {
   const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open image or maps"), {}, tr("Images (%1);;All files (*)").arg(kReadableImages));
+      this, tr("Open image or maps"), {}, tr("Images (%1);;All files (*)").arg(readPatterns()));
   if (!file.isEmpty()) openPath(file);
 }
 
@@ -92,9 +116,8 @@ void MainWindow::chooseProfile() {
 }
 
 void MainWindow::chooseExport() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, tr("Export edited albedo"), "edited_albedo.exr",
-      tr("OpenEXR (*.exr);;TIFF (*.tif *.tiff);;PNG (*.png);;JPEG (*.jpg)"));
+  const QString file = QFileDialog::getSaveFileName(this, tr("Export edited albedo"),
+                                                    "edited_albedo.exr", writtenFilters());
   if (!file.isEmpty()) exportAlbedo(file);
 }
 

@@ -31,6 +31,15 @@ SkinConstants FreeCoordinates::at(const double* places) const {
   return constants;
 }
 
+SkinConstants FreeCoordinates::clamped(const SkinConstants& constants) const {
+  SkinConstants nearest = own_;
+  if (free_.oxygenation) nearest.oxygenation = std::clamp(constants.oxygenation, 0.0, 1.0);
+  if (free_.thickness) {
+    nearest.thicknessMm = std::clamp(constants.thicknessMm, thickness_.lowMm, thickness_.highMm);
+  }
+  return nearest;
+}
+
 void FreeCoordinates::placesOf(const SkinConstants& constants, double* places) const {
   if (free_.oxygenation) places[0] = std::clamp(constants.oxygenation, 0.0, 1.0);
   if (free_.thickness) {

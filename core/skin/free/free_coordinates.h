@@ -26,6 +26,8 @@ class FreeCoordinates {
 
   // places: count() of them, 0 to 1; what is not free is the profile's. Always within the ranges.
   SkinConstants at(const double* places) const;
+  // The nearest constants within the ranges; what is not free is the profile's.
+  SkinConstants clamped(const SkinConstants& constants) const;
   // Clamped into 0 to 1.
   void placesOf(const SkinConstants& constants, double* places) const;
 

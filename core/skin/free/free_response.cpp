@@ -18,15 +18,11 @@ constexpr double kNodesEnd = 0.8;
 // Constants of pixel i of a batch, within their ranges.
 SkinConstants constantsAt(const ParameterBatch<float>& batch, std::size_t i,
                           const FreeCoordinates& places) {
-  SkinConstants constants = places.own();
-  if (places.free().oxygenation) {
-    constants.oxygenation = std::clamp(double{batch.constants[kOxygenation][i]}, 0.0, 1.0);
+  SkinConstants constants;
+  for (const SkinConstant constant : kSkinConstants) {
+    if (places.free().has(constant)) constants[constant] = double{batch.constants[constant][i]};
   }
-  if (places.free().thickness) {
-    constants.thicknessMm = std::clamp(double{batch.constants[kThickness][i]},
-                                       places.thickness().lowMm, places.thickness().highMm);
-  }
-  return constants;
+  return places.clamped(constants);
 }
 
 }  // namespace

@@ -30,6 +30,12 @@ void ViewWatch::want(const ViewRequest& request) {
 ViewServer::ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent)
     : QObject(parent), document_(document), engine_(engine), jobs_(jobs) {
   connect(&document, &Document::opened, this, &ViewServer::forget);
+  // The part it was to make stays out of date until something changes; others may still succeed.
+  connect(&jobs, &JobRunner::failed, this, [this](JobId job) {
+    if (job != job_) return;
+    job_ = 0;
+    startNext();
+  });
   connect(&document, &Document::mapsChanged, this, [this] { invalidate(showsMaps); });
   connect(&document, &Document::sceneReplaced, this, [this] {
     // A part of the old scene must not be taken for one of the new.
@@ -98,10 +104,7 @@ ViewWatch* ViewServer::mostUrgent() const {
 void ViewServer::startNext() {
   if (job_ != 0 || !document_.isOpen()) return;
   ViewWatch* watch = mostUrgent();
-  if (watch == nullptr) {
-    Q_EMIT becameIdle();
-    return;
-  }
+  if (watch == nullptr) return;
   watch->due_ = false;
   jobIsCoarse_ = moving_;
   ViewRequest request = watch->request_;

@@ -68,7 +68,6 @@ class ViewServer : public QObject {
 
  Q_SIGNALS:
   void failed(const QString& sentence);
-  void becameIdle();
 
  private:
   friend class ViewWatch;

@@ -5,11 +5,10 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "src/cli/commands/fit_source.h"
+#include "src/app/open/source_fit.h"
 
 namespace cutis {
 
-Status writeFitReport(const std::filesystem::path& path, const FittedSource& fitted,
-                      const std::string& methodName);
+Status writeFitReport(const std::filesystem::path& path, const FittedSource& fitted);
 
 }  // namespace cutis

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "src/files/io/csv.h"
+#include "core/base/number_text.h"
 #include "src/files/io/suggestion.h"
 
 namespace cutis {

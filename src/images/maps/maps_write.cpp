@@ -82,12 +82,16 @@ std::vector<OutputPart> partsOf(const MapsFile& file) {
 
 }  // namespace
 
+Status checkMapsName(const std::filesystem::path& path) {
+  const auto format = writtenFormat(path);
+  if (format && format.value()->holdsMaps) return {};
+  return usageError(path.string(), "maps are written as OpenEXR; name the file with .exr");
+}
+
 Status writeMaps(const std::filesystem::path& path, const MapsFile& file,
                  const JobContext& context) {
   assert(file.maps.width() > 0 && file.residuals.size() == file.residualNames.size());
-  if (path.extension() != ".exr") {
-    return usageError(path.string(), "maps are written as OpenEXR; name the file with .exr");
-  }
+  CUTIS_CHECK(checkMapsName(path));
   std::vector<OutputPart> parts = partsOf(file);
   std::vector<OIIO::ImageSpec> plain;
   for (OutputPart& part : parts) {

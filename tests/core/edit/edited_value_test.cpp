@@ -1,5 +1,6 @@
-// INTERFACES.md, edit factors: melanin, blend and carotene scale linearly; the haemoglobins by
-// index, C · (1 + (s − 1) · i/N) with i/N = (C/0.5)^⅓ dermal and C/0.3 epidermal.
+// The edit factors of resources/manual/model.md: melanin, blend and carotene scale linearly;
+// the haemoglobins by index, C · (1 + (s − 1) · i/N) with i/N = (C/0.5)^⅓ dermal and C/0.3
+// epidermal.
 
 #include <algorithm>
 #include <cmath>

@@ -139,14 +139,13 @@ class NetworkSolverTest : public QObject {
     EXPECT_OK(matchNetwork(shippedNetwork(), profile, test::monitorRig(), "--weights"));
     const auto rig = matchNetwork(shippedNetwork(), profile, test::albedoRig(), "w");
     EXPECT_ERROR(rig, "w: the network was trained for other lights or another camera");
-    EXPECT_ERROR(rig, "cutis-cli train --rig albedo --lights ");
     Rig blind = test::monitorRig();
     blind.lights[1].mix.reset();
     EXPECT_OK(matchNetwork(shippedNetwork(), profile, blind, "w"));
     Profile other = profile;
     other.epidermalThicknessMm *= 1.5;
     EXPECT_ERROR(matchNetwork(shippedNetwork(), other, test::monitorRig(), "w"),
-                 "another profile than 'li2024'; train one with cutis-cli train");
+                 "another profile than 'li2024'");
   }
 };
 

@@ -54,7 +54,7 @@ class ReferenceModelTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // MODEL.md, "Check values".
+  // The check values of resources/manual/model.md.
   void meetsTheCheckValues() {
     constexpr std::array<int, 12> nm = {300, 350, 414, 450, 500, 542,
                                         576, 600, 700, 850, 970, 1000};
@@ -140,7 +140,7 @@ class ReferenceModelTest : public QObject {
     }
   }
 
-  // MODEL.md: R falls with C_m, C_hd and C_he at every wavelength.
+  // resources/manual/model.md: R falls with C_m, C_hd and C_he at every wavelength.
   void monotoneWhereTheModelSaysSo() {
     for (const ParameterVector& p : sampleBox(model().profile().axes, 300)) {
       SpectrumJacobian slopes;

@@ -2,10 +2,16 @@
 
 #include "src/app/document/document.h"
 
+#include <cstdint>
+#include <fstream>
+#include <optional>
+
 #include <QSignalSpy>
 #include <QtTest>
 
 #include "src/app/document/view_server.h"
+#include "tests/support/expect.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -20,6 +26,15 @@ Command scaleMelanin(double factor, bool moving = false) {
             state.edits.front().parameters[kMelanin].scale = factor;
           },
           moving};
+}
+
+// Nothing where there is no such counter.
+std::optional<std::int64_t> bytesReadByThisThread() {
+  std::ifstream counters("/proc/thread-self/io");
+  std::string name;
+  std::int64_t bytes = 0;
+  if (counters >> name >> bytes && name == "rchar:") return bytes;
+  return std::nullopt;
 }
 
 class DocumentTest : public QObject {
@@ -120,6 +135,21 @@ class DocumentTest : public QObject {
     QVERIFY(document_.scene().edits.empty());
     document_.undo();  // nothing left
     QCOMPARE(changed.count(), 4);
+  }
+
+  // Whether a file is maps is found out in the background, as the rest of it is read.
+  void openingReadsNothingOnTheInterfaceThread() {
+    const test::ScratchFolder folder;
+    const std::string file = folder.write("large.exr", std::string(1 << 20, '\x76')).string();
+    const auto before = bytesReadByThisThread();
+    if (!before) QSKIP("the system does not count what a thread reads");
+    const auto again = bytesReadByThisThread();
+    QSignalSpy failed(&document_, &Document::failed);
+    document_.open(file);
+    const auto after = bytesReadByThisThread();
+    QTRY_COMPARE(failed.count(), 1);
+    // What the counter itself is read with, whose length may grow by some digits.
+    EXPECT_AT_MOST(*after - *again, *again - *before + 8);
   }
 
   void aFailureLeavesWhatIsOpen() {

@@ -45,7 +45,7 @@ Eigen::VectorXd seen(const SpectrumRows& rows, const ParameterVector& skin) {
 }
 
 SpectrumRows rowsOf(const PictureRequest& request) {
-  return pictureRows(request, "test").value();
+  return pictureRows(request, {"test", "test"}).value().rows;
 }
 
 class ChainTest : public QObject {

@@ -40,7 +40,7 @@ class ProfileFileTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // MODEL.md, parameters and constants.
+  // The parameters and constants of resources/manual/model.md.
   void li2024IsThePapersModel() {
     const Profile& profile = test::li2024().profile();
     QCOMPARE(profile.name, std::string("li2024"));

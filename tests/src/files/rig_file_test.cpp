@@ -53,7 +53,8 @@ class RigFileTest : public QObject {
     EXPECT_OK(loadRig("monitor", "/nowhere", "--rig"));
   }
 
-  // INTERFACES.md: white = R+G+B, white+blue = ⅓, ⅓, 1, white+green = ⅓, 1, ⅓; Canon EOS R.
+  // resources/manual/file_formats.md: white = R+G+B, white+blue = ⅓, ⅓, 1, white+green = ⅓, 1, ⅓;
+  // Canon EOS R.
   void monitorIsAsDocumented() {
     const Rig& rig = test::monitorRig();
     const double third = 1.0 / 3.0;
@@ -102,7 +103,8 @@ class RigFileTest : public QObject {
     }
   }
 
-  // INTERFACES.md: built-in rigs assume 0.0001, 0.005; so does a file that says nothing.
+  // resources/manual/file_formats.md: built-in rigs assume 0.0001, 0.005; so does a file that
+  // says nothing.
   void noiseHasADefault() {
     const test::ScratchFolder folder;
     writeStudio(folder);

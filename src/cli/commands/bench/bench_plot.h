@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 #include "src/report/drawing.h"
 
 namespace cutis {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 
 namespace cutis {
 

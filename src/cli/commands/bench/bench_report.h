@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 
 namespace cutis {
 

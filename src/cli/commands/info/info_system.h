@@ -1,5 +1,7 @@
 #pragma once
 
+// The text of `cutis-cli info --system`.
+
 #include <string>
 
 namespace cutis {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/commands/validate/validation.h"
+#include "core/evaluate/validation.h"
 #include "src/report/drawing.h"
 
 namespace cutis {
