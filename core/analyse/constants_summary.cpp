@@ -10,7 +10,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::size_t kMostPixels = 16384;
+constexpr std::size_t kSummarisedPixels = 16384;
 
 double quantile(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
@@ -43,7 +43,7 @@ Result<std::vector<ConstantSummary>> summariseConstants(const Measurements& meas
                                                         const JobContext& context) {
   std::vector<ConstantSummary> summaries;
   if (solver.free().count() == 0) return summaries;
-  CUTIS_TRY(sample, samplePixels(measurements, &maps, kMostPixels, context));
+  CUTIS_TRY(sample, samplePixels(measurements, &maps, kSummarisedPixels, context));
   if (sample.count == 0) return summaries;
   std::vector<float> deviations(sample.parameters.size());
   solver.deviations(sample.batch(), deviations.data());

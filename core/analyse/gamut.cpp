@@ -8,7 +8,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::size_t kMostPixels = 65536;
+constexpr std::size_t kGamutPixels = 65536;
 constexpr double kMostDeviations = 3.0;
 
 GamutStatistics byColor(const Rig& rig, const PixelSolver& solver, PixelSample& sample) {
@@ -50,7 +50,7 @@ Result<GamutStatistics> measureGamut(const Measurements& measurements, const Chr
                                      const PixelSolver& solver,
                                      const std::optional<NoiseModel>& noise,
                                      const JobContext& context) {
-  CUTIS_TRY(sample, samplePixels(measurements, &maps, kMostPixels, context));
+  CUTIS_TRY(sample, samplePixels(measurements, &maps, kGamutPixels, context));
   if (sample.count == 0) return GamutStatistics{};
   const Rig& rig = measurements.rig;
   if (seesColors(rig)) return byColor(rig, solver, sample);

@@ -14,7 +14,7 @@ bool hasEstimate(float state) {
          state == static_cast<float>(PixelState::noConvergence);
 }
 
-float quantile(std::vector<float>& values, double share) {
+float quantileOf(std::vector<float>& values, double share) {
   const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
@@ -49,9 +49,9 @@ Result<std::optional<ValueSpread>> spreadOf(const Plane& values, const Plane& st
   }
   if (estimates.empty()) return std::optional<ValueSpread>();
   ValueSpread spread;
-  spread.median = quantile(estimates, 0.5);
-  spread.low = quantile(estimates, 0.05);
-  spread.high = quantile(estimates, 0.95);
+  spread.median = quantileOf(estimates, 0.5);
+  spread.low = quantileOf(estimates, 0.05);
+  spread.high = quantileOf(estimates, 0.95);
   return std::optional(spread);
 }
 

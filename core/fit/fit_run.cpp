@@ -15,7 +15,7 @@ namespace cutis {
 namespace {
 
 // Pixels handed to the solver between two looks at the stop token.
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kRunBatch = 256;
 constexpr int kResidualStep = 8;
 
 struct TileResult {
@@ -44,9 +44,9 @@ class TileFit {
     const PixelGrouping grouping =
         groupEqualPixels(channels_.data(), channelCount_, pixelCount_, pixels_);
     Solutions solutions = gather(grouping);
-    for (std::size_t begin = 0; begin < solutions.count; begin += kBatch) {
+    for (std::size_t begin = 0; begin < solutions.count; begin += kRunBatch) {
       if (context.stopRequested()) return Cancelled{};
-      solutions.solve(solver_, begin, std::min(kBatch, solutions.count - begin));
+      solutions.solve(solver_, begin, std::min(kRunBatch, solutions.count - begin));
     }
     scatter(grouping, solutions);
     sampleResiduals(grouping, solutions);

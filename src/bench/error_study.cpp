@@ -11,7 +11,7 @@ namespace cutis {
 namespace {
 
 constexpr std::uint64_t kPatchSeed = 1;
-constexpr std::uint64_t kNoiseSeed = 2;
+constexpr std::uint64_t kErrorNoiseSeed = 2;
 constexpr std::size_t kMostBoundPeople = 4000;
 constexpr int kSampleSize = 512;
 
@@ -29,7 +29,7 @@ std::optional<double> printedBound(const Rig& rig, double noise) {
 Result<MethodFigures> measureMethod(const BenchSubject& subject, const PixelSolver& solver,
                                     const ProtocolPixels& pixels, double noise,
                                     const JobContext& context) {
-  const std::vector<float> channels = pixels.photograph(noise, kNoiseSeed);
+  const std::vector<float> channels = pixels.photograph(noise, kErrorNoiseSeed);
   CUTIS_TRY(solved,
             solveAll(solver, channels, pixels.count(), {false, subject.timingSeconds}, context));
   CUTIS_TRY(errors,

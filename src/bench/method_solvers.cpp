@@ -15,7 +15,7 @@ namespace cutis {
 namespace {
 
 // Pixels handed to a solver at once, as runFit() does.
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kMethodBatch = 256;
 // People whose most frequent β-carotene the first stage fixes, as in a fit.
 constexpr int kTrainingPopulation = 1000;
 
@@ -113,10 +113,10 @@ Result<SolvedPixels> solveAll(const PixelSolver& solver, std::span<const float> 
   std::vector<std::uint8_t> states(count);
   std::vector<std::uint16_t> iterations(count);
   const auto inBatches = [&](const auto& work) {
-    return parallelFor((count + kBatch - 1) / kBatch, {context.stop, {}, {}},
+    return parallelFor((count + kMethodBatch - 1) / kMethodBatch, {context.stop, {}, {}},
                        [&](std::size_t piece) -> Status {
-                         const std::size_t first = piece * kBatch;
-                         work(PixelBatch{std::min(kBatch, count - first), count,
+                         const std::size_t first = piece * kMethodBatch;
+                         work(PixelBatch{std::min(kMethodBatch, count - first), count,
                                          channels.data() + first, solved.parameters.data() + first},
                               first);
                          return {};

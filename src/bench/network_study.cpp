@@ -19,12 +19,12 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::uint64_t kNoiseSeed = 2;
+constexpr std::uint64_t kNetworkNoiseSeed = 2;
 constexpr char kWhite[] = "white";
 // People whose spectra are held at once.
 constexpr std::size_t kPiece = 128;
 // Pixels of a picture that a thread takes at once: in and out stay in the second cache.
-constexpr std::size_t kBatch = 4096;
+constexpr std::size_t kNetworkBatch = 4096;
 constexpr int kRuns = 5;
 
 // Networks, and which channels of which rig they take.
@@ -73,17 +73,18 @@ std::vector<float*> planesOf(float* rows, std::size_t count, std::size_t stride)
 // last two may be null.
 Status runPipeline(const NetworkPipeline& pipeline, std::size_t count, const float* inputs,
                    float* parameters, float* outputs, const JobContext& context) {
-  return parallelFor((count + kBatch - 1) / kBatch, context, [&](std::size_t piece) -> Status {
-    const std::size_t first = piece * kBatch;
-    const auto in =
-        planesOf(inputs + first, static_cast<std::size_t>(pipeline.inputCount()), count);
-    std::vector<float*> middle, out;
-    if (parameters != nullptr) middle = planesOf(parameters + first, kParameterCount, count);
-    if (outputs != nullptr)
-      out = planesOf(outputs + first, static_cast<std::size_t>(pipeline.outputCount()), count);
-    pipeline.run(std::min(kBatch, count - first), in, middle, out);
-    return {};
-  });
+  return parallelFor(
+      (count + kNetworkBatch - 1) / kNetworkBatch, context, [&](std::size_t piece) -> Status {
+        const std::size_t first = piece * kNetworkBatch;
+        const auto in =
+            planesOf(inputs + first, static_cast<std::size_t>(pipeline.inputCount()), count);
+        std::vector<float*> middle, out;
+        if (parameters != nullptr) middle = planesOf(parameters + first, kParameterCount, count);
+        if (outputs != nullptr)
+          out = planesOf(outputs + first, static_cast<std::size_t>(pipeline.outputCount()), count);
+        pipeline.run(std::min(kNetworkBatch, count - first), in, middle, out);
+        return {};
+      });
 }
 
 // Rows that pick every sample of the grid.
@@ -152,7 +153,7 @@ Status measureNoises(const BenchSubject& subject, const RiggedNetworks& networks
   std::vector<float> spectra(kSampleCount * pixels.count());
   for (const double noise : kBenchNoises) {
     const auto inputs =
-        inputsOf(networks.channels, pixels.photograph(noise, kNoiseSeed), pixels.count());
+        inputsOf(networks.channels, pixels.photograph(noise, kNetworkNoiseSeed), pixels.count());
     CUTIS_CHECK(runPipeline(both, pixels.count(), inputs.data(), parameters.data(), spectra.data(),
                             context));
     CUTIS_TRY(encoded, subject.meter->measure(pixels.people(), parameters, context));
@@ -182,8 +183,8 @@ Result<AlignedFloats> pictureInputs(const BenchSubject& subject, const RiggedNet
                                     std::size_t count, const JobContext& context) {
   CUTIS_TRY(pixels, ProtocolPixels::create(*subject.model, networks.rig,
                                            benchPeople(subject.pixels), context));
-  const auto known =
-      inputsOf(networks.channels, pixels.photograph(kUsualNoise, kNoiseSeed), pixels.count());
+  const auto known = inputsOf(networks.channels, pixels.photograph(kUsualNoise, kNetworkNoiseSeed),
+                              pixels.count());
   const std::size_t planes = known.size() / pixels.count();
   AlignedFloats inputs(planes * count);
   for (std::size_t k = 0; k < planes; ++k) {

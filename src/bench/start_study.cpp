@@ -15,12 +15,12 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::uint64_t kNoiseSeed = 2;
-constexpr std::size_t kBatch = 256;  // as in a fit
+constexpr std::uint64_t kStartNoiseSeed = 2;
+constexpr std::size_t kStartBatch = 256;  // as in a fit
 
 enum class Start { polynomial, network, priorMean };
 
-const char* nameOf(Start start) {
+const char* startNameOf(Start start) {
   switch (start) {
     case Start::polynomial:
       return "polynomial of its own";
@@ -84,7 +84,7 @@ Result<StartFigures> measure(const BenchSubject& subject, const ProtocolPixels& 
                              const StartedBy& fit, const JobContext& context) {
   using Clock = std::chrono::steady_clock;
   const std::size_t count = pixels.count();
-  const auto channels = pixels.photograph(kUsualNoise, kNoiseSeed);
+  const auto channels = pixels.photograph(kUsualNoise, kStartNoiseSeed);
   std::vector<float> values(kParameterCount * count);
   std::vector<std::uint8_t> converged(count);
   std::vector<std::uint16_t> rounds(count);
@@ -92,14 +92,14 @@ Result<StartFigures> measure(const BenchSubject& subject, const ProtocolPixels& 
   for (double passed = 0.0; passed == 0.0 || passed < subject.timingSeconds;) {
     std::fill(rounds.begin(), rounds.end(), std::uint16_t{0});
     const auto begin = Clock::now();
-    CUTIS_CHECK(
-        parallelFor((count + kBatch - 1) / kBatch, context, [&](std::size_t piece) -> Status {
-          const std::size_t first = piece * kBatch;
-          fit.solve({std::min(kBatch, count - first), count, channels.data() + first,
-                     values.data() + first},
-                    converged.data() + first, rounds.data() + first);
-          return {};
-        }));
+    CUTIS_CHECK(parallelFor((count + kStartBatch - 1) / kStartBatch, context,
+                            [&](std::size_t piece) -> Status {
+                              const std::size_t first = piece * kStartBatch;
+                              fit.solve({std::min(kStartBatch, count - first), count,
+                                         channels.data() + first, values.data() + first},
+                                        converged.data() + first, rounds.data() + first);
+                              return {};
+                            }));
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
     fastest = std::min(fastest, seconds);
     passed += std::max(seconds, 1e-9);
@@ -135,7 +135,7 @@ Status runStarts(const BenchSubject& subject, MethodSolvers& solvers, const JobC
     if (start == Start::network && network == nullptr) continue;
     const StartedBy fit(start, *subject.model, refined->nodes(), network.get());
     CUTIS_TRY(row, measure(subject, pixels, fit, context));
-    row.start = nameOf(start);
+    row.start = startNameOf(start);
     figures.starts.push_back(row);
   }
   return {};

@@ -8,9 +8,9 @@
 namespace cutis {
 namespace {
 
-constexpr std::uint64_t kNoiseSeed = 3;
+constexpr std::uint64_t kVariantNoiseSeed = 3;
 constexpr std::uint64_t kPriorSeed = 4;
-constexpr char kWhite[] = "white";
+constexpr char kVariantWhite[] = "white";
 
 // A population in front of a rig.
 struct PhotographedPeople {
@@ -22,7 +22,7 @@ struct PhotographedPeople {
 Result<VariantFigures> measureVariant(const PhotographedPeople& people, const PixelSolver& solver,
                                       const std::string& name, double noise,
                                       SampleEncoding encoding = SampleEncoding::float32) {
-  const auto channels = people.pixels.photograph(noise, kNoiseSeed, encoding);
+  const auto channels = people.pixels.photograph(noise, kVariantNoiseSeed, encoding);
   CUTIS_TRY(solved, solveAll(solver, channels, people.pixels.count(), {}, people.context));
   CUTIS_TRY(errors, people.subject.meter->measure(people.pixels.people(), solved.parameters,
                                                   people.context));
@@ -47,7 +47,7 @@ Status runCoverage(const BenchSubject& subject, MethodSolvers& solvers, const Jo
                   drawFromPrior(prior, profile.axes, static_cast<int>(subject.pixels), kPriorSeed),
                   context));
     CUTIS_TRY(solver, solvers.solver(method, kUsualNoise));
-    const auto channels = pixels.photograph(kUsualNoise, kNoiseSeed);
+    const auto channels = pixels.photograph(kUsualNoise, kVariantNoiseSeed);
     CUTIS_TRY(solved, solveAll(*solver, channels, pixels.count(), {true, 0.0}, context));
     figures.coverage.push_back(
         {wide ? "wide" : "population", kUsualNoise,
@@ -57,8 +57,8 @@ Status runCoverage(const BenchSubject& subject, MethodSolvers& solvers, const Jo
 }
 
 Status runLights(const BenchSubject& subject, const JobContext& context, BenchFigures& figures) {
-  if (subject.rig.lightIndex(kWhite) < 0) return {};
-  CUTIS_TRY(white, withLights(subject.rig, {kWhite}, "--rig"));
+  if (subject.rig.lightIndex(kVariantWhite) < 0) return {};
+  CUTIS_TRY(white, withLights(subject.rig, {kVariantWhite}, "--rig"));
   const auto people = benchPeople(subject.pixels);
   const std::array<const Rig*, 2> rigs = {&subject.rig, &white};
   for (const Rig* rig : rigs) {

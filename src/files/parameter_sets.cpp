@@ -12,7 +12,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{1} << 30;
+constexpr std::size_t kLargestSetsFile = std::size_t{1} << 30;
 
 using Columns = std::array<std::size_t, kParameterCount>;  // indexed by Parameter
 
@@ -76,7 +76,7 @@ Result<ParameterVector> parseParameters(const std::vector<std::string_view>& fie
 
 Result<std::vector<ParameterVector>> readParameterSets(const std::string& path,
                                                        const ParameterAxes& axes) {
-  CUTIS_TRY(text, readTextFile(path, kLargestFile));
+  CUTIS_TRY(text, readTextFile(path, kLargestSetsFile));
   const std::vector<CsvRow> rows = splitCsv(text);
   if (rows.empty()) return inputError(path, "the file has no rows; begin with a header");
   const auto placeOf = [&](const CsvRow& row) { return path + ":" + std::to_string(row.line); };

@@ -13,7 +13,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestRecipe = 1;
 
 // A field of an object and what it sets; left alone where the object has no such field.
 template <typename T>
@@ -197,7 +197,7 @@ Result<RecipeFile> loadRecipe(const std::string& nameOrPath, const std::string& 
 
 Result<RecipeFile> parseRecipe(std::string_view text, const std::string& place) {
   CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_recipe", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_recipe", kNewestRecipe));
   CUTIS_CHECK(
       root.allowOnly({"cutis_recipe", "name", "description", "width", "height", "seed", "skin"}));
   RecipeFile recipe;

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 // Texts by their path from the root of the repository.
 using Texts = std::map<std::string, std::string>;
 
-std::string textOf(const fs::path& path) {
+std::string contentOf(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
@@ -38,7 +38,7 @@ bool isRead(const fs::path& path) {
 }
 
 void addText(const fs::path& path, Texts& texts) {
-  if (isRead(path)) texts[fs::relative(path, sourceFolder()).generic_string()] = textOf(path);
+  if (isRead(path)) texts[fs::relative(path, sourceFolder()).generic_string()] = contentOf(path);
 }
 
 Texts allTexts() {
@@ -140,14 +140,14 @@ std::vector<std::string> brokenLinks(const std::string& path, const std::string&
     if (!isThere(to)) {
       broken.push_back(path + " links to " + target);
     } else if (hash != std::string::npos &&
-               !hasHeading(textOf(sourceFolder() / to), target.substr(hash + 1))) {
+               !hasHeading(contentOf(sourceFolder() / to), target.substr(hash + 1))) {
       broken.push_back(path + " links to " + target + ", which has no such heading");
     }
   }
   return broken;
 }
 
-QString joined(const std::vector<std::string>& lines) {
+QString onePerLine(const std::vector<std::string>& lines) {
   QString text;
   for (const std::string& line : lines)
     text += "\n" + QString::fromStdString(line);
@@ -193,7 +193,7 @@ class DocumentLinksTest : public QObject {
       append(missing, missingDocuments(path, text));
     }
     QVERIFY(names > 20);
-    QVERIFY2(missing.empty(), qPrintable(joined(missing)));
+    QVERIFY2(missing.empty(), qPrintable(onePerLine(missing)));
   }
 
   // Comments name headers, and documents name files of every kind; both move.
@@ -204,7 +204,7 @@ class DocumentLinksTest : public QObject {
       if (path.starts_with("tests/architecture/") || path.ends_with("CMakeLists.txt")) continue;
       append(missing, missingPaths(path, text));
     }
-    QVERIFY2(missing.empty(), qPrintable(joined(missing)));
+    QVERIFY2(missing.empty(), qPrintable(onePerLine(missing)));
   }
 
   void everyLinkLeadsSomewhere() {
@@ -212,7 +212,7 @@ class DocumentLinksTest : public QObject {
     for (const auto& [path, text] : allTexts()) {
       if (path.ends_with(".md")) append(broken, brokenLinks(path, text));
     }
-    QVERIFY2(broken.empty(), qPrintable(joined(broken)));
+    QVERIFY2(broken.empty(), qPrintable(onePerLine(broken)));
   }
 
   void theReadmeIsShort() { QVERIFY(fs::file_size(sourceFolder() / "README.md") <= 7000); }

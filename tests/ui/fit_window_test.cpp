@@ -28,7 +28,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kPatienceMs = 120000;
+constexpr int kFitPatienceMs = 120000;
 
 NetworkTraining quickTraining(const Rig& rig, const std::string& profile) {
   NetworkTraining training = usualTraining(rig, profile);
@@ -173,7 +173,7 @@ class FitWindowTest : public test::UiTest {
       Q_EMIT window_->progress().cancelWanted();
     } else {
       window_->opener().openSample();
-      QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), kPatienceMs);
+      QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), kFitPatienceMs);
     }
     QVERIFY(!dialog.isVisible() && !dialog.isTraining());
     QVERIFY(!window_->training().isTrained());
@@ -188,7 +188,7 @@ class FitWindowTest : public test::UiTest {
     QVERIFY(window_->progress().jobRuns());
     QSignalSpy fitted(&window_->document(), &Document::fitted);
     window_->fit().fitWithProfile("li2024");
-    QTRY_COMPARE_WITH_TIMEOUT(fitted.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(fitted.count(), 1, kFitPatienceMs);
     QTest::qWait(50);
     QVERIFY(window_->progress().jobRuns());
     QVERIFY(window_->training().dialog().isTraining());
@@ -248,7 +248,7 @@ class FitWindowTest : public test::UiTest {
   }
   void waitUntilIdle() {
     QTest::qWait(10);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kFitPatienceMs);
   }
   QImage pictureOf() const { return window_->viewport().grab().toImage(); }
   QRect viewOf() const {

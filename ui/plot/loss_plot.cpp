@@ -14,7 +14,7 @@ namespace cutis {
 namespace {
 
 constexpr int kMostEpochTicks = 5;
-constexpr double kPointRadius = 2.5;
+constexpr double kEndRadius = 2.5;
 // An axis of less than this ratio would show noise as progress.
 constexpr double kLeastSpan = 10;
 
@@ -123,7 +123,7 @@ void LossPlot::addCurve(Panel& panel, const LossCurve& curve, double before) con
     Curve shown;
     shown.stroke = stroke;
     // A line needs two points.
-    if (errors.size() == 1) shown.marker = Marker{stroke.color, kPointRadius};
+    if (errors.size() == 1) shown.marker = Marker{stroke.color, kEndRadius};
     for (int i = 0; i < errors.size(); ++i) {
       shown.x.push_back(before + i + 1);
       shown.y.push_back(canBeDrawn(errors[i]) ? errors[i] : std::nan(""));

@@ -14,7 +14,7 @@ QString textOf(std::string_view words) {
   return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
 }
 
-QColor colorOf(Color color) {
+QColor paintColorOf(Color color) {
   return {color.red, color.green, color.blue, color.alpha};
 }
 
@@ -36,7 +36,7 @@ QPolygonF polygonOf(const std::vector<Point>& points) {
 
 QPen penOf(const Stroke& stroke) {
   if (stroke.color.isNone()) return Qt::NoPen;
-  QPen pen(colorOf(stroke.color), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+  QPen pen(paintColorOf(stroke.color), stroke.width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
   // Qt counts dashes in widths of the line.
   if (stroke.dash > 0.0)
     pen.setDashPattern({stroke.dash / stroke.width, stroke.gap / stroke.width});
@@ -44,7 +44,7 @@ QPen penOf(const Stroke& stroke) {
 }
 
 QBrush brushOf(Color fill) {
-  return fill.isNone() ? QBrush(Qt::NoBrush) : QBrush(colorOf(fill));
+  return fill.isNone() ? QBrush(Qt::NoBrush) : QBrush(paintColorOf(fill));
 }
 
 class Painting {
@@ -92,7 +92,7 @@ class Painting {
       if (text.anchor == Anchor::middle) before *= 0.5;
     }
     painter_.setFont(fonts_.fontOf(text.style));
-    painter_.setPen(colorOf(text.style.color));
+    painter_.setPen(paintColorOf(text.style.color));
     if (!text.upwards) {
       painter_.drawText(QPointF(text.at.x - before, text.at.y), words);
       return;

@@ -18,9 +18,9 @@ namespace {
 
 // What is left when another step would lower the cost by less: a few hundredths of a posterior
 // deviation.
-constexpr double kTolerance = 1e-3;
+constexpr double kFastTolerance = 1e-3;
 constexpr double kExactTolerance = 1e-8;
-constexpr int kMaximumRounds = 100;
+constexpr int kFastMaximumRounds = 100;
 constexpr int kExactMaximumRounds = 400;
 constexpr int kMaximumNodes = 64;
 // Without noise the channels are met to some 1e-5, the error of the tables; ten times that is no
@@ -119,8 +119,8 @@ class FreeSolver final : public PixelSolver {
   }
 
   void run(const PixelBatch& batch, std::vector<FreeSearch<N>>& searches) const {
-    runSearches(estimator_, batch, exact_ ? kExactTolerance : kTolerance,
-                exact_ ? kExactMaximumRounds : kMaximumRounds, searches);
+    runSearches(estimator_, batch, exact_ ? kExactTolerance : kFastTolerance,
+                exact_ ? kExactMaximumRounds : kFastMaximumRounds, searches);
   }
 
   // From elsewhere where the end is no good one, and keeps the better end.

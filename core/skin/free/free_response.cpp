@@ -11,7 +11,7 @@ namespace cutis {
 namespace {
 
 // Pixels evaluated at once: their reflectances stay in the cache.
-constexpr std::size_t kBatch = 64;
+constexpr std::size_t kRowsAtOnce = 64;
 // Of the progress: the choice of the nodes, then their tables.
 constexpr double kNodesEnd = 0.8;
 
@@ -39,8 +39,8 @@ void FreeResponse::evaluate(const ParameterBatch<float>& batch, std::span<float*
   assert(out.size() == static_cast<std::size_t>(rowCount()));
   std::vector<ParameterVector> parameters;
   std::vector<SkinConstants> constants;
-  for (std::size_t begin = 0; begin < batch.count; begin += kBatch) {
-    const std::size_t count = std::min(kBatch, batch.count - begin);
+  for (std::size_t begin = 0; begin < batch.count; begin += kRowsAtOnce) {
+    const std::size_t count = std::min(kRowsAtOnce, batch.count - begin);
     parameters.resize(count);
     constants.resize(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -14,7 +14,7 @@ namespace cutis {
 namespace {
 
 // Shares of the progress.
-constexpr double kPrepared = 0.1;
+constexpr double kReadyToWrite = 0.1;
 constexpr double kComputed = 0.5;
 
 class Exporter {
@@ -29,10 +29,10 @@ class Exporter {
     CUTIS_TRY(encoding, encodingFor(target_, image, what.source->colorSpace, context_));
     CUTIS_TRY(daylight, pictureRows(PictureRequest(), {}));
     CUTIS_TRY(albedo, engine_.response(what.skin.model, daylight.rows, what.skin.free(),
-                                       context_.child(0.0, kPrepared, "preparing")));
+                                       context_.child(0.0, kReadyToWrite, "preparing")));
     CUTIS_TRY(content,
               editedSource(*what.source, what.skin, *albedo, {encoding.colorSpace, what.pure},
-                           store_, context_.child(kPrepared, kComputed, "editing")));
+                           store_, context_.child(kReadyToWrite, kComputed, "editing")));
     return write(content, encoding.sampleType);
   }
 
@@ -40,9 +40,9 @@ class Exporter {
     CUTIS_CHECK(checkPictureTarget(target_));
     CUTIS_TRY(encoding, encodingFor(target_, nullptr, {}, context_));
     CUTIS_TRY(response, engine_.response(what.skin.model, what.picture.rows, what.skin.free(),
-                                         context_.child(0.0, kPrepared, "preparing")));
+                                         context_.child(0.0, kReadyToWrite, "preparing")));
     CUTIS_TRY(linear, renderPicture(what.skin, *response, store_,
-                                    context_.child(kPrepared, kComputed, "rendering")));
+                                    context_.child(kReadyToWrite, kComputed, "rendering")));
     CUTIS_TRY(encoded, encodePicture(linear, encoding.colorSpace, store_,
                                      context_.child(kComputed, kComputed)));
     ImageContent content;

@@ -88,7 +88,7 @@ Result<EditedAlbedo> fitNow(const ApplyCommand& command, const FitRequest& reque
   return EditedAlbedo{{fitted.model, fitted.planes.maps, {}}, fitted.source};
 }
 
-ExportTarget targetOf(const ApplyCommand& command, const FitRequest& request) {
+ExportTarget appliedTargetOf(const ApplyCommand& command, const FitRequest& request) {
   ExportTarget target = {.path = command.output,
                          .colorSpace = command.colorSpace,
                          .inputs = filesRead(request),
@@ -102,7 +102,7 @@ Status runApplyCommand(const ApplyCommand& command, Session& session) {
   CUTIS_CHECK(checkSources(command));
   CUTIS_TRY(edit, parseEdit(command.edit));
   CUTIS_TRY(request, parseFitOptions(command.fit));
-  const ExportTarget target = targetOf(command, request);
+  const ExportTarget target = appliedTargetOf(command, request);
   CUTIS_CHECK(checkPictureTarget(target));
   const JobContext& context = session.context;
   CUTIS_TRY(albedo, command.maps.empty()

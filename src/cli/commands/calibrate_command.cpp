@@ -22,13 +22,13 @@ namespace cutis {
 namespace {
 
 constexpr char kColorRig[] = "albedo";
-constexpr WavelengthRange kModelRange = {kFirstWavelengthNm, kLastWavelengthNm};
+constexpr WavelengthRange kCalibratedRange = {kFirstWavelengthNm, kLastWavelengthNm};
 constexpr std::size_t kFewest = kParameterCount + 1;
 constexpr int kMostRepetitions = 1000;
-constexpr int kMostSeed = 1000000000;
+constexpr int kMostCalibrationSeed = 1000000000;
 constexpr int kUsualHalvings = 6;
 constexpr int kUsualBootstraps = 30;
-constexpr int kDecimals = 4;
+constexpr int kTableDecimals = 4;
 
 struct CalibrateCommand {
   std::string recipe;
@@ -87,7 +87,7 @@ Result<CalibrationInput> readInput(const CalibrateCommand& command, int halvings
   CUTIS_TRY(recipe, loadCalibrationRecipe(command.recipe, "RECIPE"));
   input.recipe = recipe;
   for (const std::string& path : command.spectra) {
-    CUTIS_TRY(spectra, readMeasuredSpectra(path, kModelRange, kFewest, context));
+    CUTIS_TRY(spectra, readMeasuredSpectra(path, kCalibratedRange, kFewest, context));
     input.spectra.push_back(std::move(spectra));
   }
   CUTIS_CHECK(checkSpectra(input, halvings, command.spectra));
@@ -107,7 +107,7 @@ Result<Repetitions> repetitionsOf(const CalibrateCommand& command) {
   asked.halvings = halvings;
   asked.bootstraps = bootstraps;
   if (command.seed.empty()) return asked;
-  CUTIS_TRY(seed, wholeNumber("--seed", command.seed, 0, kMostSeed));
+  CUTIS_TRY(seed, wholeNumber("--seed", command.seed, 0, kMostCalibrationSeed));
   asked.seed = static_cast<std::uint64_t>(seed);
   return asked;
 }
@@ -130,8 +130,9 @@ std::string tablesOf(const CalibrationRecipe& recipe, const CalibrationStudy& st
       const CalibrationError& error = figures.errors[i][range];
       if (std::isnan(error.all)) continue;
       errors.add({recipe.spectra[i].name, judgedRangeLabel(static_cast<JudgedRange>(range)),
-                  fixedNumber(error.all, kDecimals), fixedNumber(error.leftOut, kDecimals),
-                  fixedNumber(error.worst, kDecimals)});
+                  fixedNumber(error.all, kTableDecimals),
+                  fixedNumber(error.leftOut, kTableDecimals),
+                  fixedNumber(error.worst, kTableDecimals)});
     }
   }
   return constants.text() + "\n" + errors.text();

@@ -26,7 +26,7 @@ ExportTarget targetOf(const FitCommand& command, const FitRequest& request) {
       .path = command.output, .inputs = filesRead(request), .sources = {command.sources.front()}};
 }
 
-Status checkOutputs(const FitCommand& command, const ExportTarget& target) {
+Status checkFitOutputs(const FitCommand& command, const ExportTarget& target) {
   CUTIS_CHECK(checkMapsTarget(target));
   if (command.report.empty()) return {};
   CUTIS_CHECK(checkDistinct(command.report, command.output));
@@ -54,7 +54,7 @@ Result<FitRequest> requestOf(const FitCommand& command) {
 Status runFitCommand(const FitCommand& command, Session& session) {
   CUTIS_TRY(request, requestOf(command));
   const ExportTarget target = targetOf(command, request);
-  CUTIS_CHECK(checkOutputs(command, target));
+  CUTIS_CHECK(checkFitOutputs(command, target));
   CUTIS_TRY(result, openAndFit(command.sources.front(), request, session, 0.9));
   FittedSource& fitted = result.fitted;
   const auto start = std::chrono::steady_clock::now();

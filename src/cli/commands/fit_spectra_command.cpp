@@ -28,7 +28,7 @@ struct FitSpectraCommand {
   std::string free;
 };
 
-Result<WavelengthRange> rangeOf(const std::string& text) {
+Result<WavelengthRange> wavelengthRangeOf(const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos) {
     return usageError("--range",
@@ -86,7 +86,7 @@ std::string summaryOf(const std::vector<FreeSpectrumFit>& fits, double seconds) 
 
 Status runFitSpectraCommand(const FitSpectraCommand& command, Session& session) {
   const auto start = std::chrono::steady_clock::now();
-  CUTIS_TRY(range, rangeOf(command.range));
+  CUTIS_TRY(range, wavelengthRangeOf(command.range));
   CUTIS_TRY(setting, parseMeasurement(command.measurement));
   CUTIS_TRY(free, freeConstants("--free", command.free));
   CUTIS_CHECK(checkTextOutput(command.output, {command.measured, command.profile}));

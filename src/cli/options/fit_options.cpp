@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLeastExposure = 1e-6;
 constexpr double kMostExposure = 1e6;
-constexpr double kMostNoise = 1.0;
+constexpr double kMostAssumedNoise = 1.0;
 
 // The other methods know neither a prior nor parameters that are held.
 Status checkMethodOptions(const FitCommandOptions& options, FitMethod method) {
@@ -113,7 +113,7 @@ Result<FitRequest> parseFitOptions(const FitCommandOptions& options) {
   request.source.lights = commaSeparated(options.lights);
   CUTIS_CHECK(parseExposure(options.exposure, request));
   if (!options.noise.empty()) {
-    CUTIS_TRY(noise, realNumbers("--noise", options.noise, 2, 0.0, kMostNoise));
+    CUTIS_TRY(noise, realNumbers("--noise", options.noise, 2, 0.0, kMostAssumedNoise));
     request.options.noise = NoiseModel{noise[0], noise[1]};
   }
   CUTIS_TRY(measurement, parseMeasurement(options.measurement));

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kMostSeed = 1'000'000'000;
 constexpr int kMostEpochs = 100'000;
-constexpr int kFewestPeople = 1'000;
-constexpr int kMostPeople = 10'000'000;
+constexpr int kFewestTrainingPeople = 1'000;
+constexpr int kMostTrainingPeople = 10'000'000;
 constexpr int kMostTableStep = 10'000;
 constexpr int kMostHiddenLayers = 8;
 constexpr int kSmallestBatch = 96;
@@ -100,7 +100,8 @@ Status setNetworks(const TrainOptions& options, NetworkTraining& training) {
 
 Status setPeople(const TrainOptions& options, NetworkTraining& training) {
   if (!options.people.empty()) {
-    CUTIS_TRY(people, wholeNumber("--people", options.people, kFewestPeople, kMostPeople));
+    CUTIS_TRY(people,
+              wholeNumber("--people", options.people, kFewestTrainingPeople, kMostTrainingPeople));
     setBoth(training, [&](auto& network) { network.people.count = people; });
   }
   if (!options.tableStep.empty()) {

@@ -16,7 +16,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestProfile = 1;
 constexpr std::array<std::string_view, 3> kSpacings = {"uniform", "quadratic", "cubic"};
 
 Result<PowerLaw> parsePowerLaw(const JsonValue& parent, const std::string& key) {
@@ -276,7 +276,7 @@ Result<Profile> loadProfile(const std::string& nameOrPath, const std::string& pl
 
 Result<Profile> parseProfile(std::string_view text, const std::string& place) {
   CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_profile", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_profile", kNewestProfile));
   CUTIS_CHECK(root.allowOnly({"cutis_profile", "name", "description", "parameters", "absorption",
                               "epidermis", "dermis", "refractive_index", "layer_optics", "prior",
                               "sources"}));

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kHeadBytes = 16;
-constexpr std::size_t kChunkBytes = std::size_t{1} << 22;
+constexpr std::size_t kHashedBytes = std::size_t{1} << 22;
 
 // Most of them are TIFF files on the outside and would be read as their small preview.
 constexpr std::array<std::string_view, 12> kRawExtensions = {
@@ -76,7 +76,7 @@ Result<std::string> hashFile(const fs::path& path, const JobContext& context) {
     return inputError(path.string(), "the file cannot be opened; check that it is there");
   }
   ContentHash hash;
-  std::vector<char> chunk(kChunkBytes);
+  std::vector<char> chunk(kHashedBytes);
   while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) ||
          stream.gcount() > 0) {
     if (context.stopRequested()) return Cancelled{};

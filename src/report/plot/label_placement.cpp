@@ -8,10 +8,10 @@
 namespace cutis {
 namespace {
 
-constexpr double kAscent = 0.80, kDescent = 0.24;  // of the font's size
-constexpr double kGap = 4.0;                       // between marker and label
-constexpr double kClear = 2.0;                     // around everything
-constexpr double kLeaderFrom = 14.0;               // nearer than this needs no line
+constexpr double kLabelAscent = 0.80, kDescent = 0.24;  // of the font's size
+constexpr double kGap = 4.0;                            // between marker and label
+constexpr double kLabelClear = 2.0;                     // around everything
+constexpr double kLeaderFrom = 14.0;                    // nearer than this needs no line
 constexpr double kOverlapCost = 1000.0;
 constexpr int kPasses = 6;
 
@@ -55,15 +55,16 @@ Candidate candidateAt(const LabelledPoint& point, Point way, double distance, do
   const Point end = {point.at.x + reach * way.x, point.at.y + reach * way.y};
   Candidate candidate;
   PlacedLabel& label = candidate.label;
-  const double height = (kAscent + kDescent) * size;
+  const double height = (kLabelAscent + kDescent) * size;
   label.anchor = way.x > 0.1 ? Anchor::start : way.x < -0.1 ? Anchor::end : Anchor::middle;
   // Beside, above or below the end of the way.
   const double middle = end.y + 0.5 * height * (way.y < -0.5 ? -1.0 : way.y > 0.5 ? 1.0 : 0.0);
-  label.at = {end.x, middle + 0.5 * (kAscent - kDescent) * size};
+  label.at = {end.x, middle + 0.5 * (kLabelAscent - kDescent) * size};
   double left = end.x;
   if (label.anchor == Anchor::middle) left -= 0.5 * width;
   if (label.anchor == Anchor::end) left -= width;
-  label.box = {left - kClear, middle - 0.5 * height, left + width + kClear, middle + 0.5 * height};
+  label.box = {left - kLabelClear, middle - 0.5 * height, left + width + kLabelClear,
+               middle + 0.5 * height};
   label.hasLeader = distance >= kLeaderFrom;
   label.leaderFrom = {point.at.x + (point.radius + 1.5) * way.x,
                       point.at.y + (point.radius + 1.5) * way.y};
@@ -82,7 +83,7 @@ double conflicts(const Candidate& candidate, std::size_t self,
     if (box.overlaps(label.box)) cost += kOverlapCost;
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Box marker = around(points[i].at, points[i].radius + kClear);
+    const Box marker = around(points[i].at, points[i].radius + kLabelClear);
     if (marker.overlaps(label.box)) cost += kOverlapCost;
     if (i == self) continue;
     // Markers on top of each other share their lines' beginnings.

@@ -11,7 +11,7 @@ namespace cutis {
 namespace {
 
 // Rounding noise of multiples such as 3 · 0.1.
-constexpr double kSlack = 1e-9;
+constexpr double kTickSlack = 1e-9;
 
 double powerOfTen(double exponent) {
   return std::pow(10.0, exponent);
@@ -21,7 +21,7 @@ double powerOfTen(double exponent) {
 
 double niceStep(double span, int most) {
   if (!(span > 0.0) || !std::isfinite(span)) return 1.0;
-  const double least = span / std::max(most, 1) * (1.0 - kSlack);
+  const double least = span / std::max(most, 1) * (1.0 - kTickSlack);
   const double power = powerOfTen(std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= least) return factor * power;
@@ -31,13 +31,13 @@ double niceStep(double span, int most) {
 
 double niceCeiling(double value, int most) {
   const double step = niceStep(value, most);
-  return step * std::ceil(value / step - kSlack);
+  return step * std::ceil(value / step - kTickSlack);
 }
 
 std::vector<double> ticksWithin(double minimum, double maximum, double step) {
   std::vector<double> ticks;
-  const double last = std::floor(maximum / step + kSlack);
-  for (double i = std::ceil(minimum / step - kSlack); i <= last; ++i)
+  const double last = std::floor(maximum / step + kTickSlack);
+  for (double i = std::ceil(minimum / step - kTickSlack); i <= last; ++i)
     ticks.push_back(i * step);
   return ticks;
 }
@@ -50,7 +50,7 @@ std::vector<double> logarithmicTicks(double minimum, double maximum, int most) {
     for (double exponent = std::floor(std::log10(minimum)); exponent <= last; ++exponent) {
       for (const double factor : factors) {
         const double tick = factor * powerOfTen(exponent);
-        if (tick >= minimum * (1.0 - kSlack) && tick <= maximum * (1.0 + kSlack))
+        if (tick >= minimum * (1.0 - kTickSlack) && tick <= maximum * (1.0 + kTickSlack))
           ticks.push_back(tick);
       }
     }
@@ -63,19 +63,19 @@ std::vector<double> logarithmicTicks(double minimum, double maximum, int most) {
 std::pair<double, double> roundEnds(double minimum, double maximum) {
   constexpr int all = 10000;
   const auto ticks = logarithmicTicks(minimum / 20.0, maximum * 20.0, all);
-  const auto above = std::upper_bound(ticks.begin(), ticks.end(), minimum * (1.0 + kSlack));
-  const auto end = std::lower_bound(above, ticks.end(), maximum * (1.0 - kSlack));
+  const auto above = std::upper_bound(ticks.begin(), ticks.end(), minimum * (1.0 + kTickSlack));
+  const auto end = std::lower_bound(above, ticks.end(), maximum * (1.0 - kTickSlack));
   return {*std::prev(above), *end};
 }
 
 std::pair<double, double> decadeEnds(double minimum, double maximum) {
-  const double first = std::floor(std::log10(minimum) + kSlack);
-  const double last = std::ceil(std::log10(maximum) - kSlack);
+  const double first = std::floor(std::log10(minimum) + kTickSlack);
+  const double last = std::ceil(std::log10(maximum) - kTickSlack);
   return {powerOfTen(first), powerOfTen(std::max(last, first + 1.0))};
 }
 
 int decimalsFor(double step) {
-  return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - kSlack)), 0, 9);
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - kTickSlack)), 0, 9);
 }
 
 std::string tickWords(double value, double step) {

@@ -16,8 +16,8 @@
 namespace cutis {
 namespace {
 
-constexpr double kTrueThickness = 0.21;
-constexpr double kTrueShare = 0.03;
+constexpr double kStudiedThickness = 0.21;
+constexpr double kStudiedShare = 0.03;
 constexpr int kPeople = 12;
 
 Profile withThickness(double thicknessMm) {
@@ -27,11 +27,11 @@ Profile withThickness(double thicknessMm) {
 }
 
 // Skin of that thickness with a shine, every 10 nm.
-MeasuredSpectra spectraOf(double fromNm, double toNm) {
-  const Profile profile = withThickness(kTrueThickness);
+MeasuredSpectra studiedSpectraOf(double fromNm, double toNm) {
+  const Profile profile = withThickness(kStudiedThickness);
   const SkinModel skin(profile);
   const InstrumentModel model(
-      skin, measurementGeometry(SpecularPart::included, profile.refractiveIndex, kTrueShare));
+      skin, measurementGeometry(SpecularPart::included, profile.refractiveIndex, kStudiedShare));
   MeasuredSpectra spectra;
   for (double nm = fromNm; nm <= toNm; nm += 10.0)
     spectra.wavelengthsNm.push_back(nm);
@@ -66,18 +66,18 @@ class CalibrationStudyTest : public QObject {
 
  private slots:
   void constantsAndIntervalsAreFound() {
-    CalibrationStudy study = studyOf(spectraOf(340.0, 760.0));
+    CalibrationStudy study = studyOf(studiedSpectraOf(340.0, 760.0));
     study.halvings = 1;
     study.bootstraps = 3;
     const auto figures = runStudy(study, {});
     EXPECT_OK(figures);
     const CalibrationFigures& found = figures.value();
     QCOMPARE(found.constants.size(), std::size_t{2});
-    EXPECT_NEAR(found.constants[0].value, kTrueThickness, 0.005);
-    EXPECT_NEAR(found.constants[1].value, kTrueShare, 0.003);
+    EXPECT_NEAR(found.constants[0].value, kStudiedThickness, 0.005);
+    EXPECT_NEAR(found.constants[1].value, kStudiedShare, 0.003);
     for (const ConstantFigures& constant : found.constants)
       QVERIFY(constant.low <= constant.high);
-    EXPECT_NEAR(found.constants[0].low, kTrueThickness, 0.02);
+    EXPECT_NEAR(found.constants[0].low, kStudiedThickness, 0.02);
     QCOMPARE(found.errors.size(), std::size_t{1});
     for (const JudgedRange range :
          {JudgedRange::fitted, JudgedRange::ultraviolet, JudgedRange::fromColor}) {
@@ -89,7 +89,7 @@ class CalibrationStudyTest : public QObject {
   }
 
   void withoutRepetitionsThereIsNoTelling() {
-    const auto figures = runStudy(studyOf(spectraOf(340.0, 700.0)), {});
+    const auto figures = runStudy(studyOf(studiedSpectraOf(340.0, 700.0)), {});
     EXPECT_OK(figures);
     QVERIFY(std::isnan(figures.value().constants[0].low));
     QVERIFY(std::isnan(figures.value().errors[0][0].leftOut));
@@ -99,7 +99,7 @@ class CalibrationStudyTest : public QObject {
   }
 
   void theSeedDecidesAndErrorsEndIt() {
-    CalibrationStudy study = studyOf(spectraOf(340.0, 700.0));
+    CalibrationStudy study = studyOf(studiedSpectraOf(340.0, 700.0));
     study.bootstraps = 2;
     const auto once = runStudy(study, {}), again = runStudy(study, {});
     EXPECT_OK(once);
@@ -111,7 +111,8 @@ class CalibrationStudyTest : public QObject {
     EXPECT_ERROR(runStudy(study, {}), "here: no such profile");
     std::stop_source source;
     source.request_stop();
-    QVERIFY(runStudy(studyOf(spectraOf(340.0, 700.0)), {source.get_token(), {}, {}}).cancelled());
+    QVERIFY(runStudy(studyOf(studiedSpectraOf(340.0, 700.0)), {source.get_token(), {}, {}})
+                .cancelled());
   }
 };
 

@@ -16,7 +16,7 @@
 namespace cutis {
 namespace {
 
-const SkinModel& model() {
+const SkinModel& profileModel() {
   return test::li2024();
 }
 
@@ -28,11 +28,11 @@ std::vector<int> wholeGrid() {
 
 // Evenly spread points, and the corners of the box.
 std::vector<ParameterVector> testPoints() {
-  std::vector<ParameterVector> points = sampleBox(model().profile().axes, 3000);
+  std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 3000);
   for (int corner = 0; corner < 32; ++corner) {
     ParameterVector p;
     for (int k = 0; k < kParameterCount; ++k) {
-      p[k] = (corner >> k & 1) * model().profile().axes[static_cast<std::size_t>(k)].maximum;
+      p[k] = (corner >> k & 1) * profileModel().profile().axes[static_cast<std::size_t>(k)].maximum;
     }
     points.push_back(p);
   }
@@ -54,20 +54,20 @@ struct Columns {
   ParameterBatch<T> batch;
 };
 
-struct Errors {
+struct ModelErrors {
   double value = 0.0;
   double slope = 0.0;  // in units of 1e-4 · max(|∂R|, 1e-3)
 };
 
 template <typename T>
-Errors errorsAgainstReference() {
-  const CompiledModel nodes(model(), wholeGrid());
+ModelErrors errorsAgainstReference() {
+  const CompiledModel nodes(profileModel(), wholeGrid());
   const std::vector<ParameterVector> points = testPoints();
   const Columns<T> columns(points);
   const std::size_t count = points.size();
   std::vector<T> value(count * kSampleCount), epidermal(value), dermal(value);
   reflectanceBatch<T>(nodes, columns.batch, value.data(), epidermal.data(), dermal.data());
-  Errors errors;
+  ModelErrors errors;
   for (std::size_t i = 0; i < count; ++i) {
     // The reference sees the rounded parameters: the kernel answers for its own arithmetic.
     ParameterVector p;
@@ -75,9 +75,9 @@ Errors errorsAgainstReference() {
       p[static_cast<Eigen::Index>(k)] = columns.columns[k][i];
     }
     for (int s = 0; s < kSampleCount; ++s) {
-      const LayerPair absorption = model().absorption().at(s, p);
+      const LayerPair absorption = profileModel().absorption().at(s, p);
       const LayeredReflectance exact =
-          model().optics().evaluate(s, absorption.epidermal, absorption.dermal);
+          profileModel().optics().evaluate(s, absorption.epidermal, absorption.dermal);
       const std::size_t at = static_cast<std::size_t>(s) * count + i;
       errors.value = std::max(errors.value, std::abs(value[at] - exact.reflectance));
       const auto slopeError = [](double a, double b) {
@@ -106,19 +106,19 @@ class VectorisedModelTest : public QObject {
   void agreesWithTheReference() {
     QFETCH(QString, instructionSet);
     if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
-    const Errors single = errorsAgainstReference<float>();
+    const ModelErrors single = errorsAgainstReference<float>();
     qInfo("float: %.2g, derivatives %.2g of the allowed error", single.value, single.slope);
     EXPECT_AT_MOST(single.value, 2e-6);
     EXPECT_AT_MOST(single.slope, 1.0);
-    const Errors twice = errorsAgainstReference<double>();
+    const ModelErrors twice = errorsAgainstReference<double>();
     qInfo("double: %.2g, derivatives %.2g of the allowed error", twice.value, twice.slope);
     EXPECT_AT_MOST(twice.value, 1e-12);
     EXPECT_AT_MOST(twice.slope, 1e-4);
   }
 
   void aPixelDoesNotDependOnItsPlace() {
-    const CompiledModel nodes(model(), {20, 60, 100, 140, 180});
-    const std::vector<ParameterVector> points = sampleBox(model().profile().axes, 37);
+    const CompiledModel nodes(profileModel(), {20, 60, 100, 140, 180});
+    const std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 37);
     const Columns<float> columns(points);
     std::vector<float> together(points.size() * 5);
     reflectanceBatch<float>(nodes, columns.batch, together.data());
@@ -135,8 +135,8 @@ class VectorisedModelTest : public QObject {
   }
 
   void notANumberStaysInItsPixel() {
-    const CompiledModel nodes(model(), {100});
-    std::vector<ParameterVector> points = sampleBox(model().profile().axes, 20);
+    const CompiledModel nodes(profileModel(), {100});
+    std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 20);
     std::vector<float> clean(points.size()), spoiled(points.size());
     const Columns<float> columns(points);
     reflectanceBatch<float>(nodes, columns.batch, clean.data());

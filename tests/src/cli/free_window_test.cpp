@@ -15,17 +15,17 @@ namespace cutis::test {
 namespace {
 
 constexpr int kPatienceMs = 120000;
-constexpr int kWidth = 40, kHeight = 24;
+constexpr int kMapsWidth = 40, kHeight = 24;
 
 // Both constants vary over the picture.
 void giveConstants(MapsFile& file) {
   std::vector<float> oxygenation, thickness;
-  for (int i = 0; i < kWidth * kHeight; ++i) {
-    oxygenation.push_back(0.3f + 0.5f * static_cast<float>(i % kWidth) / kWidth);
-    thickness.push_back(0.25f + 0.2f * static_cast<float>(i / kWidth) / kHeight);
+  for (int i = 0; i < kMapsWidth * kHeight; ++i) {
+    oxygenation.push_back(0.3f + 0.5f * static_cast<float>(i % kMapsWidth) / kMapsWidth);
+    thickness.push_back(0.25f + 0.2f * static_cast<float>(i / kMapsWidth) / kHeight);
   }
-  file.maps.constants[kOxygenation] = planeOf(kWidth, kHeight, oxygenation);
-  file.maps.constants[kThickness] = planeOf(kWidth, kHeight, thickness);
+  file.maps.constants[kOxygenation] = planeOf(kMapsWidth, kHeight, oxygenation);
+  file.maps.constants[kThickness] = planeOf(kMapsWidth, kHeight, thickness);
 }
 
 class FreeWindowTest : public QObject {
@@ -58,7 +58,7 @@ class FreeWindowTest : public QObject {
     server_.setPicture({"A", "cie1931", ChromaticAdaptation::none, std::nullopt});
     std::shared_ptr<const ViewPart> part;
     const auto watch = server_.watch(0, [&](const auto& served) { part = served; });
-    watch->want({static_cast<ViewKind>(view), {0, 0, kWidth, kHeight}, 1});
+    watch->want({static_cast<ViewKind>(view), {0, 0, kMapsWidth, kHeight}, 1});
     QTRY_VERIFY_WITH_TIMEOUT(part != nullptr, kPatienceMs);
     const Image seen = run_.image("seen.exr");
     QCOMPARE(part->pixels.channels.size(), seen.channels.size());

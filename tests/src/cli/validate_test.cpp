@@ -18,7 +18,7 @@
 namespace cutis::test {
 namespace {
 
-constexpr char kSets[] =
+constexpr char kMeasuredSets[] =
     "melanin,melanin_blend,haemoglobin_dermal,haemoglobin_epidermal,carotene\n"
     "0.01,0.5,0.01,0.005,0.0005\n"
     "0.02,0.4,0.02,0.01,0.001\n"
@@ -58,7 +58,7 @@ class ValidateTest : public QObject {
 
  private Q_SLOTS:
   void initTestCase() {
-    run_.write("sets.csv", kSets);
+    run_.write("sets.csv", kMeasuredSets);
     for (const char* line :
          {"spectrum --csv sets.csv --profile li2024 -o skin.csv",
           "spectrum --csv sets.csv --profile li2024 -o shiny.csv --specular included",

@@ -33,7 +33,7 @@ void writeStudio(const test::ScratchFolder& folder) {
   folder.write("studio/lamp.csv", "nm,power\n300,7\n1000,7\n");
 }
 
-std::string changed(std::string text, const std::string& from, const std::string& to) {
+std::string changedRig(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   if (at == std::string::npos) return "test is wrong: " + from;
   return text.replace(at, from.size(), to);
@@ -108,8 +108,9 @@ class RigFileTest : public QObject {
   void noiseHasADefault() {
     const test::ScratchFolder folder;
     writeStudio(folder);
-    folder.write("studio/rig.json",
-                 changed(kStudio, ",\n  \"noise\": {\"read\": 0.001, \"proportional\": 0.02}", ""));
+    folder.write(
+        "studio/rig.json",
+        changedRig(kStudio, ",\n  \"noise\": {\"read\": 0.001, \"proportional\": 0.02}", ""));
     const auto rig = loadRig((folder / "studio/rig.json").string(), {}, "t");
     EXPECT_OK(rig);
     EXPECT_NEAR(rig.value().noise.read, 0.0001, 0.0);
@@ -170,7 +171,7 @@ class RigFileTest : public QObject {
     const test::ScratchFolder folder;
     writeStudio(folder);
     const auto path =
-        folder.write("studio/rig.json", changed(kStudio, from.toStdString(), to.toStdString()));
+        folder.write("studio/rig.json", changedRig(kStudio, from.toStdString(), to.toStdString()));
     const auto rig = loadRig(path.string(), {}, "--rig");
     QVERIFY(rig.failed());
     QVERIFY2(rig.error().text().find(message.toStdString()) != std::string::npos,

@@ -14,7 +14,7 @@
 namespace cutis::test {
 namespace {
 
-Drawing drawingOf(const std::string& words) {
+Drawing smallDrawing(const std::string& words) {
   Drawing drawing;
   drawing.width = 120.0;
   drawing.height = 40.0;
@@ -56,7 +56,7 @@ class PictureFileTest : public QObject {
   }
 
   void svgNamesFontsThatViewersHave() {
-    EXPECT_OK(writeDrawing(folder_ / "a.svg", drawingOf("words")));
+    EXPECT_OK(writeDrawing(folder_ / "a.svg", smallDrawing("words")));
     const std::string svg = folder_.read("a.svg");
     QVERIFY(svg.starts_with("<svg") && svg.ends_with("</svg>\n"));
     QVERIFY(svg.find("sans-serif") != std::string::npos);
@@ -70,14 +70,14 @@ class PictureFileTest : public QObject {
     }
     EXPECT_OK(checkDrawingOutput(folder_ / "a.png"));
     EXPECT_OK(checkDrawingOutput(folder_ / "a.svg"));
-    const Status nowhere = writeDrawing(folder_ / "none/a.png", drawingOf("words"));
+    const Status nowhere = writeDrawing(folder_ / "none/a.png", smallDrawing("words"));
     QVERIFY(nowhere.failed() && nowhere.error().kind == ErrorKind::resource);
   }
 
  private:
   QImage pngOf(const std::string& words) {
     const auto path = folder_ / "a.png";
-    const Status status = writeDrawing(path, drawingOf(words));
+    const Status status = writeDrawing(path, smallDrawing(words));
     if (!status) return {};
     return QImage(QString::fromStdString(path.string()));
   }

@@ -15,8 +15,8 @@
 namespace cutis::test {
 namespace {
 
-const double kNan = std::nan("");
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+const double kNotANumber = std::nan("");
+constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 class TicksTest : public QObject {
   Q_OBJECT
@@ -28,7 +28,7 @@ class TicksTest : public QObject {
     EXPECT_NEAR(niceStep(0.5, 5), 0.1, 1e-12);
     EXPECT_NEAR(niceStep(700, 7), 100, 1e-9);
     EXPECT_NEAR(niceStep(0, 5), 1, 0);
-    EXPECT_NEAR(niceStep(kNan, 5), 1, 0);
+    EXPECT_NEAR(niceStep(kNotANumber, 5), 1, 0);
   }
 
   void ceilingsHoldTheValue() {
@@ -52,8 +52,8 @@ class TicksTest : public QObject {
     QCOMPARE(logarithmicTicks(0.001, 0.02, 4).size(), std::size_t(2));
     QVERIFY(logarithmicTicks(0.0, 1.0, 9).empty());
     QVERIFY(logarithmicTicks(1.0, 0.5, 9).empty());
-    QVERIFY(logarithmicTicks(1.0, kInfinite, 9).empty());
-    QVERIFY(logarithmicTicks(kNan, 1.0, 9).empty());
+    QVERIFY(logarithmicTicks(1.0, kEndless, 9).empty());
+    QVERIFY(logarithmicTicks(kNotANumber, 1.0, 9).empty());
   }
 
   void roundEndsHoldTheirValues() {
@@ -93,7 +93,7 @@ class TicksTest : public QObject {
     QVERIFY(scale.at(1000.0) > 30.0);
     QVERIFY(!std::isfinite(scale.at(0.0)));
     QVERIFY(!std::isfinite(scale.at(-1.0)));
-    QVERIFY(!std::isfinite(scale.at(kNan)));
+    QVERIFY(!std::isfinite(scale.at(kNotANumber)));
     const Scale linear = {-1.0, 1.0, 100.0, 0.0};
     EXPECT_NEAR(linear.at(0.5), 25.0, 1e-12);
     EXPECT_NEAR(linear.valueAt(25.0), 0.5, 1e-12);
@@ -101,8 +101,8 @@ class TicksTest : public QObject {
 
   void anyEndsMakeAScale() {
     for (const bool logarithmic : {false, true}) {
-      for (const double from : {kNan, -kInfinite, -1.0, 0.0, 2.0, 1e300}) {
-        for (const double to : {kNan, kInfinite, -1.0, 0.0, 2.0}) {
+      for (const double from : {kNotANumber, -kEndless, -1.0, 0.0, 2.0, 1e300}) {
+        for (const double to : {kNotANumber, kEndless, -1.0, 0.0, 2.0}) {
           const Scale scale = usableScale(from, to, logarithmic, 0.0, 100.0);
           QVERIFY(scale.to > scale.from);
           QVERIFY(std::isfinite(scale.at(scale.from)) && std::isfinite(scale.at(scale.to)));
