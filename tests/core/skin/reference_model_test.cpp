@@ -176,7 +176,7 @@ class ReferenceModelTest : public QObject {
   void reportsWhereDiffusionEnds() {
     const ParameterVector pale = {0.01, 0.5, 0.01, 0.01, 0.0};
     const ParameterVector dark = {0.4, 1.0, 0.01, 0.01, 0.0};
-    const auto holds = [](double nm, const ParameterVector& skin) {
+    const auto holds = [](int nm, const ParameterVector& skin) {
       const LayerPair absorption = model().absorption().at(sampleAt(nm), skin);
       return model().optics().holds(sampleAt(nm), absorption.epidermal, absorption.dermal);
     };
