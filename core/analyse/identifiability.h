@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/analyse
 
 // What a rig can tell apart: how far a measurement narrows what is known of a person's skin.
 //

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/bench
 
 // The methods that the benchmark compares, and their names.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/bench
 
 // Solvers of the methods that the benchmark compares, and how fast each is.
 

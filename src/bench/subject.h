@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/bench
 
 // What is measured: skin in front of a rig, and the people of the error protocol
 // (resources/manual/fitting.md) that all parts of the benchmark share.

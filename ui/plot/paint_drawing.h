@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/plot
 
 // A drawing of src/report painted with QPainter, and the room that its words take then. Interface
 // thread only.

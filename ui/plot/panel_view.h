@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/plot
 
 // A panel of src/report in a widget: laid out in the window's theme and painted. What changes
 // seldom, the axes with their numbers, is kept from one time to the next. Interface thread only.

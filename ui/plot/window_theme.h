@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/plot
 
 // Plots of the window: the dark theme's colours, the widget's font and the user's locale.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/view
 
 // Numbers for the ends and the middle of a colour bar.
 

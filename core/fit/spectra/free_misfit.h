@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/spectra
 
 // The model at measured wavelengths with constants of the profile as further coordinates, and the
 // normal equations of its misfit: the inner part of core/fit/spectra/free_spectra_fit.cpp.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/spectra
 
 // Measured wavelengths among the samples of the grid: each lies at a sample or between two, where
 // the model is interpolated linearly. Thread-safe: pure functions.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/spectra
 
 // The model at measured wavelengths for many parameter sets at once, and the normal equations of
 // their misfit: the inner part of core/fit/spectra/spectra_fit.cpp.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/spectra
 
 // Bounded least squares over the parameters of a spectrum, for five of them or with up to two
 // further coordinates: the inner part of core/fit/spectra/spectra_fit.cpp and

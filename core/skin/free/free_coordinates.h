@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/free
 
 // Free constants as coordinates from 0 to 1: oxygenation is one itself; of the thickness it is the
 // place of its logarithm in thicknessRange().

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/document
 
 // Everything that pictures of a document are made of, at one moment.
 

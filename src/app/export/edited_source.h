@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/export
 
 // The edited albedo as a picture to write.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/export
 
 // Where something is exported to, and the rules of sample type, colour space and overwriting that
 // hold for all that window and command line write.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/export
 
 // Pictures on their way into a file: from linear values to what the file is to hold.
 

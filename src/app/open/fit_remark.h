@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/open
 
 // What the user should know of a fit that went well, as facts and in words that hold for window and
 // command line alike.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands
 
 // What a fit did, as JSON for scripts and benchmarks.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands
 
 // From a path and options to fitted maps, as `fit` and `apply` need them.
 

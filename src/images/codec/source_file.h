@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/codec
 
 // A picture's file before its format is asked: is it there, what kind is it, what does it contain.
 

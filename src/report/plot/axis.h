@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/report/plot
 
 // An axis of a plot: which values it spans and what is written beside it.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/report/plot
 
 // The parts of lines that lie within a box.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/report/plot
 
 // Names for points of a plot, put where they cover neither points nor each other.
 

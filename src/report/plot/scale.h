@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/report/plot
 
 // From values to places along an axis.
 

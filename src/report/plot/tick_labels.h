@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/report/plot
 
 // The numbers beside an axis: how large they are, where they stand, and which are left out where
 // there is no room for all.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/report/plot
 
 // The line above a plot: a title on the left, a legend on the right, or below where there is no
 // room for both.

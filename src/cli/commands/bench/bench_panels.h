@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/bench
 
 #include "src/bench/figures.h"
 #include "src/report/plot/page.h"

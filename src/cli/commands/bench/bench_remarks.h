@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/bench
 
 // What the figures of a run say in words, for the table and for the plot.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/info
 
 // The text of `cutis-cli info --system`.
 

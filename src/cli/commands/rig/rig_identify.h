@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/rig
 
 // What a rig can tell apart, in words for people: the tables and the picture of `rig identify`.
 //

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/train
 
 // What networks of several sizes cost and how good they are, as a table.
 

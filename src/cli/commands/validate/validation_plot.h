@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/validate
 
 #include <string>
 #include <vector>
