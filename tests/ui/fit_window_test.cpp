@@ -1,6 +1,5 @@
 // Profile, method and training in the window, by mouse and keys, on the embedded sample.
 
-#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QProgressBar>
@@ -219,16 +218,6 @@ class FitWindowTest : public test::UiTest {
                  button->metaObject()->className());
       }
     }
-  }
-
-  void shortcutsAreUnique() {
-    QStringList shortcuts;
-    for (const QAction* action : window_->findChildren<QAction*>()) {
-      for (const QKeySequence& keys : action->shortcuts())
-        shortcuts << keys.toString();
-    }
-    QVERIFY(shortcuts.contains("Ctrl+T"));
-    QCOMPARE(shortcuts.removeDuplicates(), 0);
   }
 
  private:

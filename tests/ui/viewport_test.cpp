@@ -81,19 +81,19 @@ class ViewportTest : public test::UiTest {
     QCOMPARE(view_->samplingStep(), 16);
   }
 
-  void keysFitAndShowOneToOne() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+  void fitsAndShowsOneToOne() {
+    view_->zoomOneToOne();
     EXPECT_NEAR(view_->zoom(), 1, 0);
     QVERIFY(!view_->fitted());
     QCOMPARE(view_->samplingStep(), 1);
     QCOMPARE(view_->visibleRect().width(), 824);
-    QTest::keyClick(view_.get(), Qt::Key_F);
+    view_->fitPicture();
     EXPECT_NEAR(view_->zoom(), 0.5, 1e-9);
     QVERIFY(view_->fitted());
   }
 
   void oneToOneIsOnePixelPerPixel() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+    view_->zoomOneToOne();
     QImage image(kWidth, kHeight, QImage::Format_RGB32);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x)
@@ -133,7 +133,7 @@ class ViewportTest : public test::UiTest {
   }
 
   void middleButtonAndSpacePan() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+    view_->zoomOneToOne();
     const QPointF before = view_->toWidget({0, 0});
     drag(Qt::MiddleButton, {400, 300}, {350, 280});
     QCOMPARE(view_->toWidget({0, 0}) - before, QPointF(-50, -20));
@@ -144,7 +144,7 @@ class ViewportTest : public test::UiTest {
   }
 
   void arrowsPanButNeverLoseThePicture() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+    view_->zoomOneToOne();
     const QPointF before = view_->toWidget({0, 0});
     QTest::keyClick(view_.get(), Qt::Key_Right);
     QCOMPARE(view_->toWidget({0, 0}) - before, QPointF(-64, 0));
@@ -167,7 +167,7 @@ class ViewportTest : public test::UiTest {
   }
 
   void saysNothingWhereNothingChanges() {
-    QTest::keyClick(view_.get(), Qt::Key_F);
+    view_->fitPicture();
     QCOMPARE(moved_->count(), 0);
   }
 

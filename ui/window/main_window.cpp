@@ -130,8 +130,9 @@ void MainWindow::connectDocument() {
 
 void MainWindow::showDocument() {
   setWindowTitle(tr("%1 — Cutis").arg(document_->name()));
-  pages_->setCurrentWidget(workspace_);
+  // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
   exportButton_->show();
+  pages_->setCurrentWidget(workspace_);
   viewport_->setFocus();
 }
 
