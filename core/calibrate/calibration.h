@@ -9,9 +9,9 @@
 //   Σ_aims (rms of modelled(c, p(c)) − measured, over the aim's wavelengths and the set's spectra)²
 //          / aim²  +  pull · Σ_j ((c_j − expected_j) / deviation_j)²
 //
-// where the second sum keeps constants that the spectra hardly tell near what is known of them.
-// Damped Gauss–Newton over c with p eliminated (variable projection: Golub & Pereyra 1973, in the
-// form of Kaufman 1975); derivatives by constants are differences.
+// where the second sum keeps constants that the spectra hardly determine near what is known of
+// them. Damped Gauss–Newton over c with p eliminated (variable projection: Golub & Pereyra 1973, in
+// the form of Kaufman 1975); derivatives by constants are differences.
 //
 // Wavelengths are positions on the grid, reflectances shares as measured. Thread-safe: pure
 // functions; the result is the same for any number of threads.

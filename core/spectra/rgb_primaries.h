@@ -14,7 +14,7 @@
 namespace cutis {
 
 struct RgbPrimaries {
-  // Of the space that is linear in these primaries.
+  // The name of the colour space that is linear in these primaries.
   std::string_view name;
   // x, y of red, green, blue and white: the order of the EXR attribute `chromaticities`.
   std::array<double, 8> chromaticities;

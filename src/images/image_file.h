@@ -2,7 +2,7 @@
 
 // Pictures in files.
 //
-// Read: PNG, TIFF, OpenEXR, JPEG, BMP, Targa, Radiance HDR, told by content and not by name.
+// Read: PNG, TIFF, OpenEXR, JPEG, BMP, Targa, Radiance HDR, recognised by content and not by name.
 // Written: PNG (8, 16 bit), TIFF (8, 16 bit, float), OpenEXR (half, float), JPEG (8 bit).
 //
 // Values: unsigned integers are value / maximum in [0, 1], without linearisation; floats as they
@@ -67,7 +67,7 @@ struct ImageContent {
 
 // What the format of this name can hold, the most usual first. A usage error for other formats.
 Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path& path);
-// Whether this could be written, told before any work is done: format, sample type, folder.
+// Whether this could be written, found out before any work is done: format, sample type, folder.
 Status checkImageOutput(const std::filesystem::path& path, SampleType type);
 
 // Replaces the file as a whole or leaves it as it was. Channels the format has no place for are

@@ -5,7 +5,7 @@
 //
 // Values are mapped linearly from [minimum, maximum] and clamped to its ends. What has no value
 // (masked, invalid, NaN) is a dark neutral that no scale with colour contains; maskedPixel adds a
-// hatch that tells it from the dark end of the grey scale too. Safe from any thread.
+// hatch that distinguishes it from the dark end of the grey scale too. Safe from any thread.
 
 #include <array>
 

@@ -41,7 +41,7 @@ class Viewport : public QWidget {
   // Device pixels per image pixel.
   double zoom() const { return geometry_.scale(); }
   bool fitted() const { return geometry_.fitted(); }
-  // As last told by viewChanged; empty without a picture.
+  // As viewChanged last reported; empty without a picture.
   Rect visibleRect() const { return geometry_.visible(); }
   int samplingStep() const { return geometry_.step(); }
   // Between image pixels and the widget's device-independent ones.

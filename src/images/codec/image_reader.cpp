@@ -202,7 +202,7 @@ Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::vector<
                                spec.nchannels, transferType(part), buffer.data() + offset)
           : input_->read_scanlines(part.index, 0, y0, y1, 0, 0, spec.nchannels, transferType(part),
                                    buffer.data() + offset);
-  // A cut-off TIFF or JPEG reads with success; only the message tells.
+  // A cut-off TIFF or JPEG reads with success; only the message says so.
   const std::string message = input_->geterror();
   if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
   return {};

@@ -88,7 +88,7 @@ class CalibrationTest : public QObject {
     for (std::size_t k = 0; k < kTruth.size(); ++k) {
       EXPECT_NEAR(found.value().constants[k], kTruth[k], 0.02 * kTruth[k]);
     }
-    // Of squared errors over squared aims.
+    // The cost is a mean of squared errors over squared aims.
     EXPECT_AT_MOST(found.value().cost, 1e-3);
   }
 

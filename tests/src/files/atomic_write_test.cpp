@@ -170,7 +170,7 @@ class AtomicWriteTest : public QObject {
     EXPECT_ERROR(checkWritable(folder / std::string(256, 'n')), "choose a shorter one");
   }
 
-  // Of several at once one wins, whole.
+  // When several write at once, one wins, whole.
   void writersDoNotMix() {
     const test::ScratchFolder folder;
     {
