@@ -83,8 +83,8 @@ struct Calibration {
   bool converged = false;
 };
 
-// From a start within the bounds. Preconditions: as stated above; each set has spectra and at least
-// kParameterCount samples in the fitted range. Cancelled if asked to. About 1 s a round and
+// Begins at a start within the bounds. Preconditions: as stated above; each set has spectra and at
+// least kParameterCount samples in the fitted range. Cancelled if asked to. About 1 s a round and
 // thousand spectra on one core, and what the layer tables of a round take.
 Result<Calibration> calibrate(const CalibrationProblem& problem, const std::vector<double>& start,
                               const JobContext& context);

@@ -41,7 +41,7 @@ VectorXd weightsOf(const SpectraSet& set) {
   return weights;
 }
 
-// Without starts: the best of several searches each.
+// Without starts, the best of several searches is kept for each person.
 Result<SetPeople> searchPeople(const PointModel& model, std::size_t set, const SpectraSet& spectra,
                                const JobContext& context) {
   const std::vector<Index> rows = fittedRows(spectra);

@@ -67,7 +67,7 @@ Result<Photographs> takePhotographs(const SkinModel& model, const NetworkChannel
   return result;
 }
 
-// To uncorrelated inputs of mean 0 and variance 1; directions without variance stay small.
+// Leads to uncorrelated inputs of mean 0 and variance 1; directions without variance stay small.
 DenseLayer whitening(const MatrixXd& logInputs) {
   const Eigen::RowVectorXd mean = logInputs.colwise().mean();
   const MatrixXd centred = logInputs.rowwise() - mean;

@@ -50,8 +50,8 @@ inline Eigen::Matrix3d xyzFromRgb(const RgbPrimaries& rgb) {
   return primaries * scale.asDiagonal();
 }
 
-// From one linear RGB space to another, white onto white (Bradford), as the ACES and OpenColorIO
-// matrices do it.
+// The matrix from one linear RGB space to another, white onto white (Bradford), as the ACES and
+// OpenColorIO matrices do it.
 inline Eigen::Matrix3d rgbFromRgb(const RgbPrimaries& to, const RgbPrimaries& from) {
   return xyzFromRgb(to).inverse() *
          adaptationMatrix(ChromaticAdaptation::bradford, from.xyzOfWhite(), to.xyzOfWhite()) *

@@ -22,7 +22,8 @@ inline constexpr float kSignatureTolerance = 1e-6f;
 // Numbers by which a spectrum is recognised.
 inline constexpr int kSignatureProbes = 8;
 
-// As many numbers, and each pair within the tolerance, relative to the larger. NaN is like nothing.
+// Whether they have as many numbers, each pair within the tolerance, relative to the larger. NaN is
+// like nothing.
 bool alike(const Signature& a, const Signature& b);
 
 // Takes what ContentHash takes (core/base/content_hash.h), in the same way.

@@ -23,7 +23,7 @@ class ColorScale {
  public:
   static const ColorScale& of(ScaleKind kind);
 
-  // From the colour of the minimum to that of the maximum.
+  // Colours from that of the minimum to that of the maximum.
   const std::array<QRgb, 256>& table() const { return table_; }
 
   QRgb at(double value, double minimum, double maximum) const;

@@ -172,7 +172,7 @@ class Refiner {
     point[kMelaninBlend] = Boxed(kMelaninBlend, hn::Add(base[kMelaninBlend], move));
   }
 
-  // With derivatives. Returns the lanes that are still active.
+  // A round with derivatives. Returns the lanes that are still active.
   HWY_INLINE M FullRound(M active) {
     const D d;
     V trial[kParameterCount];
@@ -215,7 +215,7 @@ class Refiner {
         normal.Prescribe(d, i, crossing[i], hn::Sub(bound[i], trial[i]));
         lanes_.free[i] = hn::IfThenZeroElse(crossing[i], lanes_.free[i]);
       }
-      // At its bound the coordinate may want back: only new derivatives show whether.
+      // A coordinate at its bound may want back into the box: only new derivatives show whether.
       lanes_.unsure = hn::IfThenElse(any, hn::Set(d, T(1)), lanes_.unsure);
     }
   }
@@ -235,7 +235,7 @@ class Refiner {
     }
   }
 
-  // With the derivatives and the factorisation of the round before.
+  // A round with the derivatives and the factorisation of the round before.
   HWY_INLINE M ChordRound(M active) {
     const D d;
     V trial[kParameterCount];

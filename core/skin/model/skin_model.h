@@ -26,10 +26,10 @@ using SpectrumJacobian = Eigen::Array<double, kSampleCount, kParameterCount>;
 
 class SkinModel {
  public:
-  // For a profile whose layers are by diffusion. Precondition: validate(profile) passed.
+  // The model of a profile whose layers are by diffusion. Precondition: validate(profile) passed.
   explicit SkinModel(const Profile& profile);
-  // For one by radiative transfer. Precondition: validate(profile) passed; the table is the
-  // profile's, at all wavelengths.
+  // The model of one by radiative transfer. Precondition: validate(profile) passed; the table is
+  // the profile's, at all wavelengths.
   SkinModel(const Profile& profile, std::shared_ptr<const LayerTable> table);
 
   // Either, making the table where one is needed: then about 2 s on one core. Cancelled if asked to
@@ -41,7 +41,7 @@ class SkinModel {
   const EpidermalAbsorption& epidermis() const { return epidermis_; }
   const DermalAbsorption& dermis() const { return dermis_; }
   const LayerOptics& optics() const { return *optics_; }
-  // For chooseNodes().
+  // Where chooseNodes() keeps its choices.
   NodeCache& nodeCache() const { return *nodeCache_; }
 
   double reflectanceAt(int sample, const ParameterVector& parameters) const;

@@ -17,7 +17,7 @@
 
 namespace cutis {
 
-// As they were given; empty: not given.
+// The texts as they were given; empty: not given.
 struct FitArguments {
   std::string method;
   std::string profile;

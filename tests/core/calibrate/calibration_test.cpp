@@ -143,7 +143,7 @@ class CalibrationTest : public QObject {
     QVERIFY((some.measured.col(2) == set_.measured.col(0)).all());
   }
 
-  // From the wide prior towards that of the people.
+  // The prior moves from the wide one towards that of the people.
   void thePriorIsThatOfThePeople() {
     Prior truth = profile_.prior;
     truth.mean = {0.05, 0.6, 0.03, 0.02, 0.001};

@@ -72,7 +72,7 @@ std::vector<Person> people(const FreeConstants& free, const Profile& profile, in
   return people;
 }
 
-// By models made for each person's constants.
+// Spectra by models made for each person's constants.
 std::vector<double> spectraOf(const Profile& profile, const std::vector<Person>& people,
                               const std::vector<double>& nm, double noise = 0.0) {
   std::mt19937 random(11);

@@ -153,7 +153,7 @@ class BenchTest : public QObject {
     }
   }
 
-  // Without waiting for the end.
+  // The first tables do not wait for the end.
   void firstTablesAppearAtOnce() {
     const auto process = run_.start("bench --quick");
     QVERIFY(process->waitForStarted());

@@ -23,7 +23,7 @@ std::vector<Spectrum> people(int count) {
   return spectra;
 }
 
-// From 360 to 740 nm in steps of 10 nm.
+// Samples from 360 to 740 nm in steps of 10 nm.
 constexpr int kFirst = 30, kLast = 220, kStep = 5;
 
 std::string spectraInRows(const std::vector<Spectrum>& spectra) {

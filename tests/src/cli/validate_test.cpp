@@ -143,7 +143,7 @@ class ValidateTest : public QObject {
     }
   }
 
-  // On a machine that has neither a display nor fonts.
+  // Plots are drawn on a machine that has neither a display nor fonts.
   void severalPlotsAreDrawnAsPng() {
     const QByteArray fonts = qgetenv("FONTCONFIG_FILE"), platform = qgetenv("QT_QPA_PLATFORM");
     run_.write("fonts.conf", "<?xml version=\"1.0\"?>\n<fontconfig></fontconfig>\n");
