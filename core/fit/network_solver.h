@@ -15,7 +15,7 @@ namespace cutis {
 
 // Whether the network was trained for channels of this rig, all or the paper's five, and for this
 // profile; rounding apart. Returns the channels it takes. `place` stands in front of the error,
-// which names the command that trains one.
+// which tells the command that trains one.
 Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Profile& profile,
                                      const Rig& rig, const std::string& place);
 

@@ -22,11 +22,10 @@ struct KernelAxis {
 };
 
 struct NetworkPass {
-  // Leads from logarithms of channels to coordinates of parameters; none where the inputs are
-  // parameters.
+  // From logarithms of channels to coordinates of parameters; none where the inputs are parameters.
   const KernelLayer* encoder = nullptr;
   std::size_t encoderLayers = 0;
-  // Leads from coordinates to the rows asked for; none where only parameters are.
+  // From coordinates to the rows asked for; none where only parameters are.
   const KernelLayer* decoder = nullptr;
   std::size_t decoderLayers = 0;
   KernelAxis axes[kParameterCount] = {};

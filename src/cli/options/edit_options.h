@@ -14,7 +14,7 @@
 
 namespace cutis {
 
-// The texts as they were given; empty: not given.
+// As they were given; empty: not given.
 struct EditArguments {
   std::string melanin;
   std::string melaninBlend;

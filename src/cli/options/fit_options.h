@@ -17,7 +17,7 @@
 
 namespace cutis {
 
-// The texts as they were given; empty: not given.
+// As they were given; empty: not given.
 struct FitArguments {
   std::string method;
   std::string profile;

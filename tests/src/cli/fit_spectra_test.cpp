@@ -98,7 +98,7 @@ class FitSpectraTest : public QObject {
     QTest::newRow("unknown") << "water"
                              << "'water' cannot be found by a fit";
     QTest::newRow("twice") << "thickness,thickness"
-                           << "'thickness' is there twice";
+                           << "'thickness' is named twice";
   }
   void whatCannotBeFreeIsRefused() {
     QFETCH(QString, names);

@@ -1,8 +1,7 @@
 #pragma once
 
-// The error protocol of resources/manual/accuracy.md, run: methods at all noises, the bound,
-// coverage, and what changes with lights, parameters and file formats. Fills the figures;
-// deterministic but for times.
+// The error protocol of FITTING.md, run: methods at all noises, the bound, coverage, and what
+// changes with lights, parameters and file formats. Fills the figures; deterministic but for times.
 
 #include <array>
 #include <cstdint>
