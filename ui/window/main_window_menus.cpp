@@ -6,7 +6,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 
-#include "src/images/image_formats.h"
+#include "src/images/codec/image_formats.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
