@@ -27,6 +27,10 @@ struct PixelSample {
 Result<PixelSample> samplePixels(const Measurements& measurements, const ChromophoreMaps* maps,
                                  std::size_t most, const JobContext& context);
 
+// The same of maps alone: channels are empty.
+Result<PixelSample> sampleMaps(const ChromophoreMaps& maps, std::size_t most,
+                               const JobContext& context);
+
 // ΔE2000 between each pixel's measurement and its model, for a rig with an observer and one light.
 std::vector<double> reconstructionDeltaE(const Rig& rig, const PixelSolver& solver,
                                          PixelSample& sample);

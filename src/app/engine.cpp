@@ -65,6 +65,7 @@ Result<std::shared_ptr<const SkinModel>> Engine::modelFromText(const std::string
 Result<std::shared_ptr<const PixelSolver>> Engine::solver(
     const std::shared_ptr<const SkinModel>& model, const Rig& rig, const FitOptions& options,
     const JobContext& context) {
+  CUTIS_CHECK(requireFive(model->profile(), "a fit of photographs"));
   if (options.free.count() > 0) {
     CUTIS_TRY(freeSolver, makeFreeSolver(model, rig, options, context));
     return std::shared_ptr<const PixelSolver>(std::move(freeSolver));

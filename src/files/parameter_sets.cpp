@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/skin/profile/parameter_names.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -15,11 +16,9 @@ constexpr std::size_t kLargestSetsFile = std::size_t{1} << 30;
 
 using Columns = std::array<std::size_t, kParameterCount>;  // indexed by Parameter
 
-std::vector<std::string> parameterNames() {
-  std::vector<std::string> names;
-  for (const Parameter parameter : kParameters)
-    names.emplace_back(parameterName(parameter));
-  return names;
+std::vector<std::string> knownNames() {
+  const auto names = parameterNames();
+  return {names.begin(), names.end()};
 }
 
 Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
@@ -29,7 +28,7 @@ Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
     const auto parameter = parameterByName(header.fields[c]);
     if (!parameter) {
       return inputError(place, "unknown column '" + std::string(header.fields[c]) + "'; " +
-                                   suggestName(std::string(header.fields[c]), parameterNames()));
+                                   suggestName(std::string(header.fields[c]), knownNames()));
     }
     if (found[*parameter]) {
       return inputError(place, "the column '" + std::string(header.fields[c]) + "' is there twice");
@@ -54,8 +53,7 @@ Result<ParameterVector> parseParameters(const std::vector<std::string_view>& fie
   if (fields.size() != kParameterCount) {
     return Error{kind, place,
                  "there are " + std::to_string(fields.size()) +
-                     " values; give five: melanin, melanin_blend, haemoglobin_dermal, "
-                     "haemoglobin_epidermal, carotene"};
+                     " values; give five: " + parameterNames(", ")};
   }
   ParameterVector values;
   for (const Parameter parameter : kParameters) {

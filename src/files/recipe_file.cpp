@@ -1,8 +1,11 @@
 #include "src/files/recipe_file.h"
 
 #include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
+#include "core/skin/profile/chromophore_table.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/text_file.h"
 #include "src/files/resources.h"
@@ -82,14 +85,16 @@ Status readFields(const JsonValue& object, Field<T>... fields) {
   return status;
 }
 
+template <typename T, std::size_t... k>
+Status parseRecipeParameters(const JsonValue& object, std::array<T, kParameterCount>& values,
+                             std::index_sequence<k...>) {
+  return readFields(object, field(chromophoreTable()[k].name.c_str(), values[k])...);
+}
+
 // One entry per parameter.
 template <typename T>
 Status parse(const JsonValue& object, std::array<T, kParameterCount>& values) {
-  return readFields(object, field("melanin", values[kMelanin]),
-                    field("melanin_blend", values[kMelaninBlend]),
-                    field("haemoglobin_dermal", values[kHaemoglobinDermal]),
-                    field("haemoglobin_epidermal", values[kHaemoglobinEpidermal]),
-                    field("carotene", values[kCarotene]));
+  return parseRecipeParameters(object, values, std::make_index_sequence<kParameterCount>());
 }
 
 Status parse(const JsonValue& object, SkinTone& tone) {

@@ -30,7 +30,8 @@ bool endsSentence(const std::string& line) {
 
 // The sentence may stand at the one declaration of a header, behind what it includes.
 bool isBeforeCode(const std::string& line) {
-  return line.empty() || line.starts_with("#") || line.starts_with("namespace ");
+  const bool named = line.starts_with("class ") && line.ends_with(";");
+  return line.empty() || line.starts_with("#") || line.starts_with("namespace ") || named;
 }
 
 // The first comment before any code.

@@ -1,11 +1,9 @@
 // Profile, method and training in the window, by mouse and keys, on the embedded sample.
 
-#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QtTest>
@@ -16,6 +14,8 @@
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
+#include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/dialogs/training_dialog.h"
 #include "ui/docks/fit_controller.h"
@@ -38,7 +38,7 @@ NetworkTraining quickTraining(const Rig& rig, const std::string& profile) {
   return training;
 }
 
-class FitWindowTest : public QObject {
+class FitWindowTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
@@ -52,18 +52,6 @@ class FitWindowTest : public QObject {
     text.replace(text.find(thickness), thickness.size(), "\"thickness_mm\": 0.31");
     foreign_ = QString::fromStdString(folder_.write("foreign.json", text).string());
   }
-
-  void init() {
-    // What the platform without a display says of itself is no fault.
-    QTest::failOnWarning(QRegularExpression("^(?!This plugin does not support)"));
-    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
-    window_->training().setPlan(quickTraining);
-    window_->resize(1280, 800);
-    window_->show();
-    window_->openSample();
-    waitUntilIdle();
-  }
-  void cleanup() { window_.reset(); }
 
   void theProfileChangesThePictureAndTheWayBackIsTheSame() {
     QTest::keyClick(sliderNamed("Melanin"), Qt::Key_PageUp);
@@ -183,7 +171,7 @@ class FitWindowTest : public QObject {
     } else if (how == "strip") {
       Q_EMIT window_->progress().cancelWanted();
     } else {
-      window_->openSample();
+      window_->opener().openSample();
       QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), kFitPatienceMs);
     }
     QVERIFY(!dialog.isVisible() && !dialog.isTraining());
@@ -232,17 +220,18 @@ class FitWindowTest : public QObject {
     }
   }
 
-  void shortcutsAreUnique() {
-    QStringList shortcuts;
-    for (const QAction* action : window_->findChildren<QAction*>()) {
-      for (const QKeySequence& keys : action->shortcuts())
-        shortcuts << keys.toString();
-    }
-    QVERIFY(shortcuts.contains("Ctrl+T"));
-    QCOMPARE(shortcuts.removeDuplicates(), 0);
+ private:
+  void tearDown() override { window_.reset(); }
+
+  void setUp() override {
+    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
+    window_->training().setPlan(quickTraining);
+    window_->resize(1280, 800);
+    window_->show();
+    window_->opener().openSample();
+    waitUntilIdle();
   }
 
- private:
   QString file(const std::string& name) const {
     return QString::fromStdString((folder_ / name).string());
   }

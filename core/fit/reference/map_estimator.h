@@ -23,8 +23,6 @@
 
 namespace cutis {
 
-using ParameterMatrix = Eigen::Matrix<double, kParameterCount, kParameterCount>;
-
 struct EstimatorOptions {
   std::optional<Prior> prior;  // none: bounded least squares
   NoiseModel noise;

@@ -7,7 +7,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kMaximumRounds = 100;
+constexpr int kProblemRounds = 100;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ RefinedProblemData<T>::RefinedProblemData(const SkinModel& model, const Spectral
   problem_.readVariance = static_cast<T>(noise.read * noise.read);
   problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
   problem_.veil = static_cast<T>(noise.veil);
-  problem_.maximumRounds = kMaximumRounds;
+  problem_.maximumRounds = kProblemRounds;
   if (options.shading) {
     problem_.shadingPrecision = static_cast<T>(1.0 / (*options.shading * *options.shading));
   }
@@ -58,11 +58,11 @@ void RefinedProblemData<T>::setCoordinates(const ParameterAxes& axes, const Prio
 template <typename T>
 void RefinedProblemData<T>::setCurvature(const SkinModel& model) {
   constexpr int green = (550 - kFirstWavelengthNm) / kWavelengthStepNm;
-  const auto offset = [&](int i, double base, double chromophore) {
-    problem_.rootOffset[i] = static_cast<T>(base / chromophore);
-  };
-  offset(kMelanin, model.epidermis().base[green], model.epidermis().eumelanin[green]);
-  offset(kHaemoglobinDermal, model.dermis().base[green], model.dermis().blood[green]);
+  const AbsorptionLaw& law = model.absorption();
+  for (const Parameter darkest : {kMelanin, kHaemoglobinDermal}) {
+    problem_.rootOffset[darkest] =
+        static_cast<T>(law.base(law.layerOf(darkest), green) / law.perUnit(darkest, green));
+  }
 }
 
 template class RefinedProblemData<float>;

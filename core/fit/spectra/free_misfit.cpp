@@ -52,18 +52,7 @@ FreeSpectra FreeMisfit<N>::evaluate(std::span<const Set> sets, bool derivatives)
 
 template <int N>
 Eigen::MatrixXd FreeMisfit<N>::spectra(std::span<const Set> sets) const {
-  const std::size_t count = sets.size();
-  const std::vector<double> reflectance = evaluate(sets, false).reflectance;
-  Eigen::MatrixXd spectra(rows_.rows.size(), count);
-  for (std::size_t w = 0; w < rows_.rows.size(); ++w) {
-    const MeasuredRow& row = rows_.rows[w];
-    for (std::size_t i = 0; i < count; ++i) {
-      spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
-          (1.0 - row.share) * reflectance[row.lower * count + i] +
-          row.share * reflectance[row.upper * count + i];
-    }
-  }
-  return spectra;
+  return atMeasured(rows_.rows, evaluate(sets, false).reflectance, sets.size());
 }
 
 template <int N>
@@ -85,6 +74,7 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
     if (k >= kParameterCount && k - kParameterCount == oxygenationAt) {
       return spectra.perOxygenation[at];
     }
+    // The blood of a skin has an absorption of its own.
     if (k == kHaemoglobinDermal) {
       return spectra.perDermal[at] * spectra.dermalBlood[at] * axes()[kHaemoglobinDermal].maximum;
     }
@@ -92,7 +82,9 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
       return spectra.perEpidermal[at] * spectra.epidermalBlood[at] *
              axes()[kHaemoglobinEpidermal].maximum;
     }
-    return spectra.perEpidermal[at] * slopes_[s][static_cast<std::size_t>(k)];
+    const bool inDermis = skin_.absorption().layerOf(k) == SkinLayer::dermis;
+    return (inDermis ? spectra.perDermal[at] : spectra.perEpidermal[at]) *
+           slopes_[s][static_cast<std::size_t>(k)];
   };
   EquationSums<N> sums(count);
   for (std::size_t w = 0; w < rows_.rows.size(); ++w) {

@@ -7,7 +7,6 @@
 // (core/skin/free/free_coordinates.h). Derivatives are by the coordinates of
 // core/fit/spectra/spectra_equations.h and these places.
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/fit/spectra/grid_interpolation.h"
+#include "core/fit/spectra/spectra_search.h"
 #include "core/maths/equation_sums.h"
 #include "core/skin/free/free_skin.h"
 #include "core/skin/model/skin_model.h"
@@ -26,10 +26,9 @@ namespace cutis {
 
 // N: 5 and the number of free constants. Thread-safe: const after construction.
 template <int N>
-class FreeMisfit {
+class FreeMisfit final : public SpectraMisfit<N> {
  public:
-  static constexpr int kCoordinates = N;
-  using Set = Eigen::Array<double, N, 1>;
+  using Set = SearchPoint<N>;
 
   // wavelengthsNm: increasing, within the grid. edgeLossPerMm as in SpectralMisfit. Errors:
   // those of FreeSkin::make.
@@ -37,18 +36,16 @@ class FreeMisfit {
                                  const FreeConstants& free, double edgeLossPerMm,
                                  const JobContext& context);
 
-  std::size_t wavelengthCount() const { return rows_.rows.size(); }
-  const ParameterAxes& axes() const { return skin_.axes(); }
+  std::size_t wavelengthCount() const override { return rows_.rows.size(); }
+  const ParameterAxes& axes() const override { return skin_.axes(); }
 
   // Between a set and the constants it stands for; what is not free is the profile's.
   SkinConstants constantsAt(const Set& set) const;
   Set setAt(const ParameterVector& parameters, const SkinConstants& constants) const;
 
-  // One spectrum a column.
-  Eigen::MatrixXd spectra(std::span<const Set> sets) const;
-  // measured[i]: the spectrum that set i is compared with.
+  Eigen::MatrixXd spectra(std::span<const Set> sets) const override;
   std::vector<EquationsOf<N>> equations(std::span<const Set> sets,
-                                        std::span<const double* const> measured) const;
+                                        std::span<const double* const> measured) const override;
 
  private:
   FreeMisfit(const SkinModel& model, MeasuredRows rows, FreeSkin skin);
@@ -57,7 +54,7 @@ class FreeMisfit {
 
   MeasuredRows rows_;
   FreeSkin skin_;
-  std::vector<std::array<double, kParameterCount>> slopes_;  // per coordinate, at the samples
+  std::vector<std::vector<double>> slopes_;  // per coordinate, at the samples
 };
 
 extern template class FreeMisfit<kParameterCount + 1>;

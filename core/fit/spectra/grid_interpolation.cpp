@@ -41,4 +41,18 @@ MeasuredRows measuredRows(std::span<const double> wavelengthsNm) {
   return measured;
 }
 
+Eigen::MatrixXd atMeasured(const std::vector<MeasuredRow>& rows, const std::vector<double>& values,
+                           std::size_t count) {
+  Eigen::MatrixXd spectra(rows.size(), count);
+  for (std::size_t w = 0; w < rows.size(); ++w) {
+    const MeasuredRow& row = rows[w];
+    for (std::size_t i = 0; i < count; ++i) {
+      spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
+          (1.0 - row.share) * values[row.lower * count + i] +
+          row.share * values[row.upper * count + i];
+    }
+  }
+  return spectra;
+}
+
 }  // namespace cutis

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace cutis {
 
 // A wavelength between two of the samples, or at one (both the same).
@@ -23,5 +25,9 @@ struct MeasuredRows {
 
 // wavelengthsNm: increasing, within the grid.
 MeasuredRows measuredRows(std::span<const double> wavelengthsNm);
+
+// Spectra at the measured wavelengths, one a column, of values at the samples: [sample][spectrum].
+Eigen::MatrixXd atMeasured(const std::vector<MeasuredRow>& rows, const std::vector<double>& values,
+                           std::size_t count);
 
 }  // namespace cutis

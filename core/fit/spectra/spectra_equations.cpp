@@ -1,8 +1,7 @@
 #include "core/fit/spectra/spectra_equations.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cassert>
 
 #include "core/skin/model/reflectance_batch.h"
 
@@ -28,90 +27,96 @@ struct ParameterColumns {
 
 }  // namespace
 
-std::array<double, kParameterCount> absorptionPerCoordinate(const SkinModel& model, int sample) {
-  const ParameterAxes& axes = model.profile().axes;
-  std::array<double, kParameterCount> slopes = {
-      model.epidermis().eumelanin[sample], model.epidermis().pheomelanin[sample],
-      model.dermis().blood[sample], model.epidermis().blood[sample],
-      model.epidermis().carotene[sample]};
-  for (std::size_t k = 0; k < slopes.size(); ++k)
-    slopes[k] *= axes[k].maximum;
-  slopes[1] *= axes[kMelanin].maximum / axes[kMelaninBlend].maximum;
+std::vector<double> absorptionPerCoordinate(const SkinModel& model, int sample) {
+  const Profile& profile = model.profile();
+  std::vector<double> slopes;
+  for (int k = 0; k < parameterCount(profile); ++k)
+    slopes.push_back(model.absorption().perUnit(k, sample) * axisOf(profile, k).maximum);
+  // The amount of pheomelanin has the range of melanin.
+  slopes[kMelaninBlend] *= profile.axes[kMelanin].maximum / profile.axes[kMelaninBlend].maximum;
   return slopes;
 }
 
-SpectralMisfit::SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
-                               double edgeLossPerMm)
+template <int N>
+SpectralMisfit<N>::SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
+                                  double edgeLossPerMm)
     : model_(model),
       measured_(model, {0.0, 1.0, edgeLossPerMm}),
-      axes_(model.profile().axes),
-      measuredRows_(measuredRows(wavelengthsNm)),
-      nodes_(model, measuredRows_.samples) {
+      measuredRows_(measuredRows(wavelengthsNm)) {
+  assert(parameterCount(model.profile()) == N);
+  if (N == kParameterCount && edgeLossPerMm == 0.0) compiled_.emplace(model, measuredRows_.samples);
   for (const int sample : measuredRows_.samples)
     slopes_.push_back(absorptionPerCoordinate(model, sample));
 }
 
-SpectralMisfit::NodeValues SpectralMisfit::evaluate(std::span<const ParameterVector> sets,
-                                                    bool derivatives) const {
-  NodeValues values;
-  const std::size_t size = slopes_.size() * sets.size();
+template <int N>
+std::array<double, N> SpectralMisfit<N>::parametersAt(const Point& point) const {
+  std::array<double, N> parameters;
+  for (int k = 0; k < N; ++k) {
+    const double unit = k < kParameterCount ? 1.0 : axisOf(model_.profile(), k).maximum;
+    parameters[static_cast<std::size_t>(k)] = unit * point[k];
+  }
+  return parameters;
+}
+
+template <int N>
+auto SpectralMisfit<N>::evaluate(std::span<const Point> points, bool derivatives) const
+    -> SampleValues {
+  SampleValues values;
+  const std::size_t size = slopes_.size() * points.size();
   values.reflectance.resize(size);
   if (derivatives) {
     values.perEpidermal.resize(size);
     values.perDermal.resize(size);
   }
-  if (measured_.geometry().edgeLossPerMm > 0.0) {
-    evaluateSingly(sets, values);
-    return values;
+  if constexpr (N == kParameterCount) {
+    if (compiled_) {
+      const ParameterColumns columns(points);
+      if (derivatives) {
+        reflectanceBatch<double>(*compiled_, columns.batch, values.reflectance.data(),
+                                 values.perEpidermal.data(), values.perDermal.data());
+      } else {
+        reflectanceBatch<double>(*compiled_, columns.batch, values.reflectance.data());
+      }
+      return values;
+    }
   }
-  const ParameterColumns columns(sets);
-  if (derivatives) {
-    reflectanceBatch<double>(nodes_, columns.batch, values.reflectance.data(),
-                             values.perEpidermal.data(), values.perDermal.data());
-  } else {
-    reflectanceBatch<double>(nodes_, columns.batch, values.reflectance.data());
-  }
+  evaluateSingly(points, values);
   return values;
 }
 
-// Edge loss bends the dermis's absorption, which the vectorised model takes to be linear.
-void SpectralMisfit::evaluateSingly(std::span<const ParameterVector> sets,
-                                    NodeValues& values) const {
-  for (std::size_t at = 0; at < values.reflectance.size(); ++at) {
-    const int sample = nodes_.samples()[at / sets.size()];
-    const ParameterVector& set = sets[at % sets.size()];
-    const LayeredReflectance layered =
-        measured_.evaluate(sample, epidermalAbsorptionAt(model_.epidermis(), sample, set),
-                           dermalAbsorptionAt(model_.dermis(), sample, set));
-    values.reflectance[at] = layered.reflectance;
-    if (values.perDermal.empty()) continue;
-    values.perEpidermal[at] = layered.perEpidermalAbsorption;
-    values.perDermal[at] = layered.perDermalAbsorption;
-  }
-}
-
-Eigen::MatrixXd SpectralMisfit::spectra(std::span<const ParameterVector> sets) const {
-  const std::size_t count = sets.size();
-  const std::vector<double> reflectance = evaluate(sets, false).reflectance;
-  const std::vector<MeasuredRow>& rows = measuredRows_.rows;
-  Eigen::MatrixXd spectra(rows.size(), count);
-  for (std::size_t w = 0; w < rows.size(); ++w) {
-    const MeasuredRow& row = rows[w];
-    for (std::size_t i = 0; i < count; ++i) {
-      spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
-          (1.0 - row.share) * reflectance[row.lower * count + i] +
-          row.share * reflectance[row.upper * count + i];
+// Edge loss bends the dermis's absorption, which the vectorised model takes to be linear; and that
+// model knows five parameters alone.
+template <int N>
+void SpectralMisfit<N>::evaluateSingly(std::span<const Point> points, SampleValues& values) const {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::array<double, N> parameters = parametersAt(points[i]);
+    for (std::size_t s = 0; s < slopes_.size(); ++s) {
+      const int sample = measuredRows_.samples[s];
+      const LayerPair absorption = model_.absorption().at(sample, parameters);
+      const LayeredReflectance layered =
+          measured_.evaluate(sample, absorption.epidermal, absorption.dermal);
+      const std::size_t at = s * points.size() + i;
+      values.reflectance[at] = layered.reflectance;
+      if (values.perDermal.empty()) continue;
+      values.perEpidermal[at] = layered.perEpidermalAbsorption;
+      values.perDermal[at] = layered.perDermalAbsorption;
     }
   }
-  return spectra;
 }
 
-std::vector<SpectralEquations> SpectralMisfit::equations(
-    std::span<const ParameterVector> sets, std::span<const double* const> measured) const {
-  const std::size_t count = sets.size();
-  const auto [reflectance, perEpidermal, perDermal] = evaluate(sets, true);
+template <int N>
+Eigen::MatrixXd SpectralMisfit<N>::spectra(std::span<const Point> points) const {
+  return atMeasured(measuredRows_.rows, evaluate(points, false).reflectance, points.size());
+}
 
-  EquationSums<kParameterCount> sums(count);
+template <int N>
+std::vector<EquationsOf<N>> SpectralMisfit<N>::equations(
+    std::span<const Point> points, std::span<const double* const> measured) const {
+  const std::size_t count = points.size();
+  const auto [reflectance, perEpidermal, perDermal] = evaluate(points, true);
+
+  EquationSums<N> sums(count);
   for (std::size_t w = 0; w < measuredRows_.rows.size(); ++w) {
     const MeasuredRow& row = measuredRows_.rows[w];
     const double above = row.share, below = 1.0 - row.share;
@@ -121,8 +126,9 @@ std::vector<SpectralEquations> SpectralMisfit::equations(
       residual[i] =
           measured[i][w] - (below * reflectance[lower + i] + above * reflectance[upper + i]);
     }
-    for (std::size_t k = 0; k < kParameterCount; ++k) {
-      const double* per = (k == kHaemoglobinDermal ? perDermal : perEpidermal).data();
+    for (std::size_t k = 0; k < N; ++k) {
+      const bool inDermis = model_.absorption().layerOf(static_cast<int>(k)) == SkinLayer::dermis;
+      const double* per = (inDermis ? perDermal : perEpidermal).data();
       const double ofLower = below * slopes_[row.lower][k], ofUpper = above * slopes_[row.upper][k];
       double* out = sums.gradient(k);
       for (std::size_t i = 0; i < count; ++i) {
@@ -133,5 +139,9 @@ std::vector<SpectralEquations> SpectralMisfit::equations(
   }
   return sums.equations();
 }
+
+template class SpectralMisfit<kParameterCount>;
+template class SpectralMisfit<kParameterCount + 1>;
+template class SpectralMisfit<kParameterCount + 2>;
 
 }  // namespace cutis

@@ -4,17 +4,20 @@
 // their misfit: the inner part of core/fit/spectra/spectra_fit.cpp.
 //
 // In absorptions the model is close to linear, so derivatives are with respect to what absorbs: the
-// amounts of eumelanin C_m β_m and pheomelanin C_m (1 − β_m), then dermal and epidermal haemoglobin
-// and carotene, each in units of its range (both melanins in units of that of C_m).
+// amounts of eumelanin C_m β_m and pheomelanin C_m (1 − β_m), then of the other chromophores, each
+// in units of its range (both melanins in units of that of C_m). The amounts of further
+// chromophores are such coordinates already, from 0 to 1.
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "core/fit/spectra/grid_interpolation.h"
+#include "core/fit/spectra/spectra_search.h"
 #include "core/maths/equation_sums.h"
 #include "core/skin/model/compiled_model.h"
 #include "core/skin/model/instrument_model.h"
@@ -22,49 +25,49 @@
 
 namespace cutis {
 
-using SpectralEquations = EquationsOf<kParameterCount>;
-using EquationMatrix = SpectralEquations::Matrix;
-using EquationVector = SpectralEquations::Vector;
+// Absorption at a sample of the grid per unit of each coordinate above, in the layer of its
+// chromophore; one for each parameter of the profile.
+std::vector<double> absorptionPerCoordinate(const SkinModel& model, int sample);
 
-// Absorption at a sample of the grid per unit of each coordinate above: of the epidermis, but for
-// dermal haemoglobin.
-std::array<double, kParameterCount> absorptionPerCoordinate(const SkinModel& model, int sample);
-
-// Thread-safe: const after construction.
-class SpectralMisfit {
+// N: the number of the profile's parameters. Thread-safe: const after construction.
+template <int N>
+class SpectralMisfit final : public SpectraMisfit<N> {
  public:
+  using Point = SearchPoint<N>;
+
   // wavelengthsNm: increasing, within the grid. edgeLossPerMm: that of the measurement
-  // (core/skin/model/measurement_geometry.h); where there is one, the model is evaluated one set at
-  // a time, which costs several times as much. The model outlives the misfit.
+  // (core/skin/model/measurement_geometry.h); where there is one, or a further chromophore, the
+  // model is evaluated one set at a time, which costs several times as much. The model outlives the
+  // misfit.
   SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
                  double edgeLossPerMm = 0.0);
 
-  static constexpr int kCoordinates = kParameterCount;
+  std::size_t wavelengthCount() const override { return measuredRows_.rows.size(); }
+  const ParameterAxes& axes() const override { return model_.profile().axes; }
+  // In their units.
+  std::array<double, N> parametersAt(const Point& point) const;
 
-  std::size_t wavelengthCount() const { return measuredRows_.rows.size(); }
-  const ParameterAxes& axes() const { return axes_; }
-
-  // One spectrum a column.
-  Eigen::MatrixXd spectra(std::span<const ParameterVector> sets) const;
-
-  // measured[i]: the spectrum that set i is compared with.
-  std::vector<SpectralEquations> equations(std::span<const ParameterVector> sets,
-                                           std::span<const double* const> measured) const;
+  Eigen::MatrixXd spectra(std::span<const Point> points) const override;
+  std::vector<EquationsOf<N>> equations(std::span<const Point> points,
+                                        std::span<const double* const> measured) const override;
 
  private:
-  // [node][set]; derivatives by the absorptions of the layers, or none.
-  struct NodeValues {
+  // [sample][point]; derivatives by the absorptions of the layers, or none.
+  struct SampleValues {
     std::vector<double> reflectance, perEpidermal, perDermal;
   };
-  NodeValues evaluate(std::span<const ParameterVector> sets, bool derivatives) const;
-  void evaluateSingly(std::span<const ParameterVector> sets, NodeValues& values) const;
+  SampleValues evaluate(std::span<const Point> points, bool derivatives) const;
+  void evaluateSingly(std::span<const Point> points, SampleValues& values) const;
 
   const SkinModel& model_;
   InstrumentModel measured_;  // its edge loss alone
-  ParameterAxes axes_;
   MeasuredRows measuredRows_;
-  CompiledModel nodes_;
-  std::vector<std::array<double, kParameterCount>> slopes_;  // per coordinate, at the nodes
+  std::optional<CompiledModel> compiled_;    // at the samples of the rows
+  std::vector<std::vector<double>> slopes_;  // per coordinate, at the samples
 };
+
+extern template class SpectralMisfit<kParameterCount>;
+extern template class SpectralMisfit<kParameterCount + 1>;
+extern template class SpectralMisfit<kParameterCount + 2>;
 
 }  // namespace cutis

@@ -23,15 +23,10 @@ HWY_NOINLINE void Batch(const BatchArguments<T>& arguments) {
     const auto load = [&](int k)
                           HWY_ATTR { return LoadFirst(d, arguments.parameters[k] + i, live); };
     const auto store = [&](V value, T* to) HWY_ATTR { StoreFirst(d, value, to, live); };
-    const V melanin = load(kMelanin);
-    const V melaninEu = hn::Mul(melanin, load(kMelaninBlend));
-    const V bloodDermal = load(kHaemoglobinDermal);
-    const V bloodEpidermal = load(kHaemoglobinEpidermal);
-    const V carotene = load(kCarotene);
+    const AmountVectors<V> skin = AmountsOf(load);
     for (std::size_t n = 0; n < arguments.nodeCount; ++n) {
       V epidermal, dermal;
-      NodeAbsorption(d, arguments.nodes[n], melanin, melaninEu, bloodDermal, bloodEpidermal,
-                     carotene, epidermal, dermal);
+      NodeAbsorption(d, arguments.nodes[n], skin, epidermal, dermal);
       const LayeredVectors<V> layered = NodeReflectanceOf<kDerivatives>(
           d, arguments.layers, arguments.nodes[n], epidermal, dermal);
       const std::size_t at = n * arguments.count + i;

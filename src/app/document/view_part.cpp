@@ -68,6 +68,8 @@ PictureBuffer joinBands(std::vector<PictureBuffer> bands) {
 }  // namespace
 
 std::optional<Parameter> parameterOf(ViewKind layer) {
+  static_assert(kParameterCount == 5,
+                "a sixth has its ViewKind here and its row in ui/view/view_catalogue.cpp");
   switch (layer) {
     case ViewKind::melanin:
       return kMelanin;

@@ -1,5 +1,6 @@
 #include "src/app/open/fit_remark.h"
 
+#include "core/analyse/diffusion_domain.h"
 #include "core/base/number_text.h"
 
 namespace cutis {
@@ -19,6 +20,7 @@ std::string percent(double share, int digits) {
 std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
                                  const std::vector<ConstantSummary>& constants, FitMethod method,
                                  const NoiseModel& noise,
+                                 const std::optional<double>& outsideDiffusion,
                                  const std::optional<ExposureChoice>& exposure) {
   using enum FitRemark::Kind;
   std::vector<FitRemark> remarks;
@@ -37,6 +39,14 @@ std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
   } else if (share > kMostNotSettled) {
     remarks.push_back(
         {notSettled, percent(share, 2) + " of the pixels did not settle; their values are rough"});
+  }
+  if (outsideDiffusion.value_or(0.0) > kNoticeableOutside) {
+    remarks.push_back({FitRemark::Kind::outsideDiffusion,
+                       "in " + percent(*outsideDiffusion, 2) +
+                           " of the pixels the skin absorbs more visible light than it scatters, "
+                           "where diffusion, "
+                           "the layer optics of this profile, no longer holds; choose a profile by "
+                           "adding–doubling"});
   }
   for (const ConstantSummary& summary : constants) {
     if (summary.openShare <= kMostlyAssumed) continue;

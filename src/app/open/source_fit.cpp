@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "core/analyse/diffusion_domain.h"
 #include "core/analyse/exposure.h"
 #include "core/fit/coarse_fit.h"
 #include "src/app/fit_method.h"
@@ -63,8 +64,10 @@ Status analyse(const FitOptions& options, const PixelSolver& solver,
   CUTIS_TRY(constants,
             summariseConstants(measurements, maps, solver, fitted.model->profile(), silent));
   fitted.constants = std::move(constants);
+  CUTIS_TRY(outside, shareOutsideDiffusion(maps, fitted.model->profile(), silent));
+  fitted.outsideDiffusion = outside;
   fitted.remarks = remarksOn(fitted.statistics, fitted.constants, options.method,
-                             options.noise.value_or(measurements.rig.noise), exposure);
+                             options.noise.value_or(measurements.rig.noise), outside, exposure);
   return {};
 }
 

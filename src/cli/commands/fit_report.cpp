@@ -74,6 +74,7 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
                      {"write", seconds.write}};
   root["residual"] = {{"mean", statistics.meanResidual}, {"p95", statistics.residual95}};
   root["gamut"] = gamutFigures(fitted);
+  if (fitted.outsideDiffusion) root["outside_diffusion_share"] = *fitted.outsideDiffusion;
   if (fitted.source->surface.specularShare > 0.0)
     root["specular_share"] = fitted.source->surface.specularShare;
   if (!fitted.constants.empty()) root["free"] = freeFigures(fitted.constants);

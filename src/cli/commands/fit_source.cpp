@@ -20,6 +20,8 @@ std::string optionFor(FitRemark::Kind kind) {
   switch (kind) {
     case FitRemark::Kind::mostlyAssumed:
       return ", or leave it out of --free";
+    case FitRemark::Kind::outsideDiffusion:
+      return ", such as --profile skin2026";
     case FitRemark::Kind::inexact:
       return ", such as --noise 0.0001,0.005";
     default:

@@ -76,8 +76,7 @@ void addSpectrumCommand(CLI::App& app, Invocation& invocation) {
             "One set: melanin, melanin blend, dermal and epidermal haemoglobin (volume "
             "fractions), carotene (g/L)");
   addOption(command, "--csv", options->csv, "FILE",
-            "File with the header melanin,melanin_blend,haemoglobin_dermal,"
-            "haemoglobin_epidermal,carotene and one set per row");
+            "File with the header " + parameterNames(",") + " and one set per row");
   addOption(command, "-o,--output", options->output, "FILE",
             "File to write (default: standard output)");
   addProfileOption(command, options->profile, kDefaultProfile);

@@ -19,6 +19,9 @@ Status parseScale(const char* option, const std::string& text, ParameterEdit& ed
   return {};
 }
 
+static_assert(kParameterCount == 5,
+              "a sixth has a field in EditOptions, and its option here and in addEditOptions()");
+
 Status parseScales(const EditOptions& options, Edit& edit) {
   auto& parameters = edit.parameters;
   CUTIS_CHECK(parseScale("--melanin", options.melanin, parameters[kMelanin]));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/skin/profile/parameter_names.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -48,8 +49,7 @@ Result<ParameterAxis> parseAxis(const JsonValue& parent, const std::string& key)
 
 Status parseParameters(const JsonValue& root, Profile& profile) {
   CUTIS_TRY(parameters, root.object("parameters"));
-  CUTIS_CHECK(parameters.allowOnly(
-      {"melanin", "melanin_blend", "haemoglobin_dermal", "haemoglobin_epidermal", "carotene"}));
+  CUTIS_CHECK(parameters.allowOnly(parameterNames()));
   for (const Parameter parameter : kParameters) {
     CUTIS_TRY(axis, parseAxis(parameters, std::string(parameterName(parameter))));
     profile.axes[static_cast<std::size_t>(parameter)] = axis;

@@ -83,16 +83,14 @@ std::vector<double> freeSpectraOf(const Profile& profile,
   std::vector<double> values;
   for (const MeasuredPerson& person : measuredPeople) {
     const Profile own = withConstants(profile, person.constants);
-    const EpidermalAbsorption upper = epidermalAbsorption(own);
-    const DermalAbsorption lower = dermalAbsorption(own);
+    const AbsorptionLaw law(own);
     const bool diffuses = own.layerOptics == LayerOpticsKind::diffusion;
     const auto optics = diffuses ? makeDiffusionOptics(own)
                                  : makeTabulatedOptics(std::make_shared<const LayerTable>(
                                        LayerTable::make(own, samples).value()));
     for (const int sample : samples) {
-      values.push_back(optics->reflectance(sample,
-                                           epidermalAbsorptionAt(upper, sample, person.parameters),
-                                           dermalAbsorptionAt(lower, sample, person.parameters)) +
+      const LayerPair absorption = law.at(sample, person.parameters);
+      values.push_back(optics->reflectance(sample, absorption.epidermal, absorption.dermal) +
                        noise * normal(random));
     }
   }

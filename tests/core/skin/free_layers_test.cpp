@@ -43,13 +43,13 @@ std::vector<int> freeSamples() {
 // Absorptions of one profile over its box, and room for the thicknesses.
 struct States {
   States(const Profile& profile, double thicknessMm, int count) : thickness(count, thicknessMm) {
-    const EpidermalAbsorption upper = epidermalAbsorption(profile);
-    const DermalAbsorption lower = dermalAbsorption(profile);
+    const AbsorptionLaw law(profile);
     const auto people = sampleBox(profile.axes, count, 5000);
     for (const int sample : freeSamples()) {
       for (const ParameterVector& person : people) {
-        epidermal.push_back(epidermalAbsorptionAt(upper, sample, person));
-        dermal.push_back(dermalAbsorptionAt(lower, sample, person));
+        const LayerPair absorption = law.at(sample, person);
+        epidermal.push_back(absorption.epidermal);
+        dermal.push_back(absorption.dermal);
       }
     }
   }
@@ -159,8 +159,8 @@ class VariableLayersTest : public QObject {
       const FreeBlood blood(profile, samples, true);
       for (double oxygenation = 0.0; oxygenation <= 1.0; oxygenation += 0.0625) {
         const Profile exact = withConstants(profile, {oxygenation, 0.3});
-        const Spectrum upper = epidermalAbsorption(exact).blood;
-        const Spectrum lower = dermalAbsorption(exact).blood;
+        const Spectrum upper = chromophoreTable()[kHaemoglobinEpidermal].absorption(exact);
+        const Spectrum lower = chromophoreTable()[kHaemoglobinDermal].absorption(exact);
         const double largest = std::max(upper.maxCoeff(), lower.maxCoeff());
         const FreeBlood::Values values = blood.at(std::vector<double>{oxygenation});
         const double step = 1e-6;

@@ -176,8 +176,12 @@ class ReferenceModelTest : public QObject {
   void reportsWhereDiffusionEnds() {
     const ParameterVector pale = {0.01, 0.5, 0.01, 0.01, 0.0};
     const ParameterVector dark = {0.4, 1.0, 0.01, 0.01, 0.0};
-    QVERIFY(model().holdsAt(sampleAt(550), pale));
-    QVERIFY(!model().holdsAt(sampleAt(450), dark));
+    const auto holds = [](int nm, const ParameterVector& skin) {
+      const LayerPair absorption = model().absorption().at(sampleAt(nm), skin);
+      return model().optics().holds(sampleAt(nm), absorption.epidermal, absorption.dermal);
+    };
+    QVERIFY(holds(550, pale));
+    QVERIFY(!holds(450, dark));
   }
 
   void refusesAnEpidermisThinnerThanOneMeanFreePath() {

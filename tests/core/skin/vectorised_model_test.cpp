@@ -75,9 +75,9 @@ ModelErrors errorsAgainstReference() {
       p[static_cast<Eigen::Index>(k)] = columns.columns[k][i];
     }
     for (int s = 0; s < kSampleCount; ++s) {
-      const LayeredReflectance exact = profileModel().optics().evaluate(
-          s, epidermalAbsorptionAt(profileModel().epidermis(), s, p),
-          dermalAbsorptionAt(profileModel().dermis(), s, p));
+      const LayerPair absorption = profileModel().absorption().at(s, p);
+      const LayeredReflectance exact =
+          profileModel().optics().evaluate(s, absorption.epidermal, absorption.dermal);
       const std::size_t at = static_cast<std::size_t>(s) * count + i;
       errors.value = std::max(errors.value, std::abs(value[at] - exact.reflectance));
       const auto slopeError = [](double a, double b) {

@@ -67,7 +67,8 @@ class DocumentTest : public QObject {
 
   void aWatchIsServedWheneverItsPartChanges() {
     QVector<ViewRequest> served;
-    const auto watch = server_.watch(0, [&](const auto& part) { served << part->request; });
+    const auto watch =
+        server_.watch(ViewPriority::detail, [&](const auto& part) { served << part->request; });
     const ViewRequest request = {ViewKind::skin, {300, 300, 400, 380}, 2};
     watch->want(request);
     QTRY_COMPARE(served.size(), 1);
@@ -83,7 +84,8 @@ class DocumentTest : public QObject {
 
   void whileAControlMovesPartsAreCoarseAndThenFine() {
     QVector<int> steps;
-    const auto watch = server_.watch(0, [&](const auto& part) { steps << part->request.step; });
+    const auto watch =
+        server_.watch(ViewPriority::detail, [&](const auto& part) { steps << part->request.step; });
     watch->want({ViewKind::melanin, {0, 0, 512, 512}, 1});
     QTRY_COMPARE(steps.size(), 1);
     document_.apply(scaleMelanin(1.1, true));
@@ -96,17 +98,51 @@ class DocumentTest : public QObject {
 
   void aWatchThatIsGoneIsNotServed() {
     int served = 0;
-    auto watch = server_.watch(0, [&](const auto&) { ++served; });
+    auto watch = server_.watch(ViewPriority::detail, [&](const auto&) { ++served; });
     watch->want({ViewKind::skin, {0, 0, 1024, 1024}, 1});
     watch.reset();
     QTRY_VERIFY_WITH_TIMEOUT(jobs_.isIdle(), kPatienceMs);
     QCOMPARE(served, 0);
   }
 
+  // What was computed for a watch that is gone is not for the next one, which may well lie at the
+  // same address.
+  void aWatchInThePlaceOfAnotherIsServedItsOwnPart() {
+    const ViewRequest old = {ViewKind::melanin, {0, 0, 1024, 1024}, 1};
+    const ViewRequest own = {ViewKind::melanin, {300, 300, 400, 380}, 2};
+    QVector<ViewRequest> served;
+    auto watch = server_.watch(ViewPriority::detail, [](const auto&) {});
+    watch->want(old);
+    watch.reset();
+    watch = server_.watch(ViewPriority::detail, [&](const auto& part) { served << part->request; });
+    watch->want(own);
+    QTRY_VERIFY(server_.isIdle());
+    QCOMPARE(served.size(), 1);
+    QVERIFY(served[0] == own);
+  }
+
+  void detailComesBeforeOverviewAndThumbnail() {
+    QVector<ViewPriority> order;
+    std::vector<std::unique_ptr<ViewWatch>> watches;
+    for (const auto priority :
+         {ViewPriority::thumbnail, ViewPriority::overview, ViewPriority::detail}) {
+      watches.push_back(
+          server_.watch(priority, [&order, priority](const auto&) { order << priority; }));
+      watches.back()->want({ViewKind::melanin, {0, 0, 64, 64}, 1});
+    }
+    QTRY_COMPARE(order.size(), 3);
+    order.clear();
+    document_.apply(scaleMelanin(1.4));
+    QTRY_COMPARE(order.size(), 3);
+    QCOMPARE(order, (QVector<ViewPriority>{ViewPriority::detail, ViewPriority::overview,
+                                           ViewPriority::thumbnail}));
+  }
+
   // A part is what the whole picture has there, whatever its step and bands.
   void partsAgreeWithTheMaps() {
     std::shared_ptr<const ViewPart> part;
-    const auto watch = server_.watch(0, [&](const auto& served) { part = served; });
+    const auto watch =
+        server_.watch(ViewPriority::detail, [&](const auto& served) { part = served; });
     const ViewRequest request = {ViewKind::melanin, {255, 250, 600, 421}, 3};
     watch->want(request);
     QTRY_VERIFY(part != nullptr);

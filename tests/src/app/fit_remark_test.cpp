@@ -29,7 +29,7 @@ class FitRemarkTest : public QObject {
 
  private slots:
   void ofAnOrdinaryFitThereIsNothingToSay() {
-    QVERIFY(remarksOn(settled(), {}, FitMethod::refined, NoiseModel{1e-4, 5e-3}, {}).empty());
+    QVERIFY(remarksOn(settled(), {}, FitMethod::refined, NoiseModel{1e-4, 5e-3}, {}, {}).empty());
   }
 
   void eachFactIsSaidWithoutOptions() {
@@ -38,10 +38,11 @@ class FitRemarkTest : public QObject {
     rough.meanResidual = 0.01;
     const std::vector<ConstantSummary> constants = {{kOxygenation, 0.6, 0.4, 0.8, 0.9},
                                                     {kThickness, 0.1, 0.1, 0.1, 0.2}};
-    const auto remarks =
-        remarksOn(rough, constants, FitMethod::refined, NoiseModel{0.0, 0.0}, ExposureChoice{});
-    QVERIFY(kindsOf(remarks) == (std::vector{Kind::exposureChosen, Kind::notSettled,
-                                             Kind::mostlyAssumed, Kind::inexact}));
+    const auto remarks = remarksOn(rough, constants, FitMethod::refined, NoiseModel{0.0, 0.0}, 0.2,
+                                   ExposureChoice{});
+    QVERIFY(kindsOf(remarks) ==
+            (std::vector{Kind::exposureChosen, Kind::notSettled, Kind::outsideDiffusion,
+                         Kind::mostlyAssumed, Kind::inexact}));
     for (const FitRemark& remark : remarks)
       QVERIFY2(remark.sentence.find("--") == std::string::npos, remark.sentence.c_str());
   }
@@ -49,7 +50,7 @@ class FitRemarkTest : public QObject {
   void nothingFittedIsOneOfThem() {
     FitStatistics none;
     none.pixels.total = none.pixels.masked = 10;
-    QVERIFY(kindsOf(remarksOn(none, {}, FitMethod::network, {}, {})) ==
+    QVERIFY(kindsOf(remarksOn(none, {}, FitMethod::network, {}, {}, {})) ==
             std::vector{Kind::nothingFitted});
   }
 };

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/analyse/diffusion_domain.h"
 #include "core/analyse/maps_summary.h"
 #include "core/base/number_text.h"
 #include "src/files/io/json_file.h"
@@ -65,6 +66,17 @@ Result<std::string> valuesText(const ChromophoreMaps& maps, const Plane& plane) 
          number(spread->high);
 }
 
+// How much of the maps lies outside diffusion's domain, for maps of a profile that uses it.
+Result<std::string> diffusionText(const MapsFile& file, const std::string& path,
+                                  const Session& session) {
+  if (file.attributes.profileJson.empty()) return std::string();
+  CUTIS_TRY(profile, parseProfile(file.attributes.profileJson, path));
+  CUTIS_TRY(outside, shareOutsideDiffusion(file.maps, profile, session.context));
+  if (!outside) return std::string();
+  return formatNumber(100.0 * *outside, 2) +
+         " % of the pixels absorb more visible light than they scatter";
+}
+
 Result<std::string> describeMaps(const std::string& path, const Session& session) {
   CUTIS_TRY(file, readMaps(path, PixelFormat::float32, session.store, session.context));
   const MapsAttributes& attributes = file.attributes;
@@ -90,6 +102,8 @@ Result<std::string> describeMaps(const std::string& path, const Session& session
   text += line("further parts", listOf(further));
   CUTIS_TRY(counts, countStates(file.maps.state));
   text += line("pixels", statesText(counts));
+  CUTIS_TRY(diffusion, diffusionText(file, path, session));
+  text += line("outside diffusion's domain", diffusion);
   for (const Parameter parameter : kParameters) {
     CUTIS_TRY(values, valuesText(file.maps, file.maps.values[parameter]));
     text += line(std::string(parameterName(parameter)), values);
