@@ -13,7 +13,7 @@ cutis_packages=(
   qt6-base-dev qt6-svg-dev
   libopenimageio-dev openimageio-tools libopencolorio-dev
   libeigen3-dev libtbb-dev libhwy-dev libcli11-dev nlohmann-json3-dev libxxhash-dev
-  libbenchmark-dev clang-format
+  libimath-dev zlib1g-dev libbenchmark-dev clang-format
   xvfb fonts-dejavu-core
 )
 
