@@ -2,8 +2,8 @@
 
 // Pictures in files.
 //
-// The formats that are read and written, with their sample types: src/images/image_formats.h. What
-// is read is recognised by its content and not by its name.
+// The formats that are read and written, with their sample types: src/images/codec/image_formats.h.
+// What is read is recognised by its content and not by its name.
 //
 // Values: unsigned integers are value / maximum in [0, 1], without linearisation; floats as they
 // are, with NaN, infinities and negatives. Alpha stays as it is stored and multiplies nothing.

@@ -5,11 +5,11 @@
 
 #include "src/files/io/atomic_write.h"
 #include "src/images/codec/color_tags.h"
+#include "src/images/codec/image_formats.h"
 #include "src/images/codec/image_writer.h"
 #include "src/images/codec/metadata_access.h"
 #include "src/images/codec/oiio_text.h"
 #include "src/images/image_file.h"
-#include "src/images/image_formats.h"
 
 namespace cutis {
 namespace {
