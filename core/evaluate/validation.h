@@ -23,7 +23,7 @@ inline constexpr WavelengthRange kFittedRange = {400.0, 700.0};
 inline constexpr WavelengthRange kUltravioletRange = {320.0, 400.0};
 inline constexpr WavelengthRange kNearInfraredRange = {700.0, 1000.0};
 
-// Of the spectra's errors; NaN where the spectra do not reach.
+// Statistics of the spectra's errors; NaN where the spectra do not reach.
 struct ErrorDistribution {
   ErrorDistribution();
 

@@ -22,10 +22,11 @@ struct KernelAxis {
 };
 
 struct NetworkPass {
-  // From logarithms of channels to coordinates of parameters; none where the inputs are parameters.
+  // Leads from logarithms of channels to coordinates of parameters; none where the inputs are
+  // parameters.
   const KernelLayer* encoder = nullptr;
   std::size_t encoderLayers = 0;
-  // From coordinates to the rows asked for; none where only parameters are.
+  // Leads from coordinates to the rows asked for; none where only parameters are.
   const KernelLayer* decoder = nullptr;
   std::size_t decoderLayers = 0;
   KernelAxis axes[kParameterCount] = {};

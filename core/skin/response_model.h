@@ -23,7 +23,7 @@ class ResponseModel {
  public:
   // Chooses the nodes (about 0.1 s).
   ResponseModel(const SkinModel& model, const SpectrumRows& rows, const NodeOptions& options = {});
-  // Of pixels with constants of their own.
+  // A model of pixels with constants of their own.
   explicit ResponseModel(std::shared_ptr<const FreeResponse> variable);
 
   // Either: with constants of each pixel's own where some are free. Errors and cost: those of

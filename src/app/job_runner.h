@@ -3,8 +3,9 @@
 // Work in the background.
 //
 // A job runs on a thread of its own and hands results to the interface thread with post(). It is
-// told to stop and then left alone: the interface never waits for it. What an older job posts after
-// it was cancelled is dropped. A job that throws ends with one sentence, and the program goes on.
+// asked to stop and then left alone: the interface never waits for it. What an older job posts
+// after it was cancelled is dropped. A job that throws ends with one sentence, and the program goes
+// on.
 //
 // Lives on the interface thread; all signals arrive there.
 

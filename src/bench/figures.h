@@ -67,12 +67,12 @@ struct PictureFigures {
   int threads = 0;
   double seconds = 0.0;
   bool scaled = false;  // from nanoseconds a pixel, not run
-  // Of pictures that were run.
+  // Figures of pictures that were run.
   std::size_t solved = 0;
   std::size_t duplicate = 0;
   double meanIterations = 0.0;
   // Most that the fit held besides what was there before, which is mostly the photographs; none
-  // where the system does not tell.
+  // where the system does not say.
   std::optional<std::size_t> memoryBytes;
 };
 

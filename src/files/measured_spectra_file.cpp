@@ -121,12 +121,12 @@ class Reader {
     const auto wavelength = wavelengthOf(field);
     if (!wavelength) {
       return inputError(at(row, column),
-                        "'" + std::string(field) + "' is no wavelength; give a number in nm");
+                        "'" + std::string(field) + "' is not a wavelength; give a number in nm");
     }
     if (before && *wavelength <= *before) {
       return inputError(at(row, column), "the wavelength " + formatNumber(*wavelength) +
-                                             " follows on " + formatNumber(*before) +
-                                             "; sort them so that each is there once");
+                                             " comes after " + formatNumber(*before) +
+                                             "; sort them so that each appears once");
     }
     return *wavelength;
   }
@@ -153,8 +153,9 @@ class Reader {
                             " is negative; correct it or leave its wavelength out");
     }
     if (used && *value > kMostReflectance) {
-      return inputError(at(row, column), "the reflectance " + formatNumber(*value) +
-                                             " is no share from 0 to 1; divide percent by 100");
+      return inputError(at(row, column),
+                        "the reflectance " + formatNumber(*value) +
+                            " is not a share from 0 to 1; divide percentages by 100");
     }
     return *value;
   }

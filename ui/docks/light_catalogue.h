@@ -1,5 +1,7 @@
 #pragma once
 
+// What the light panel offers. Interface thread only.
+
 #include <QStringList>
 #include <QVector>
 

@@ -123,7 +123,7 @@ class FreeSolver final : public PixelSolver {
                 exact_ ? kExactMaximumRounds : kFastMaximumRounds, searches);
   }
 
-  // From elsewhere where the end is no good one, and keeps the better end.
+  // Searches from elsewhere where the end is no good one, and keeps the better end.
   void searchAgain(const PixelBatch& batch, const std::vector<float>& found,
                    std::vector<FreeSearch<N>>& searches) const {
     const double most = estimator_.mostChannelCost() * (exact_ ? kExactMisfit : 1.0);

@@ -15,7 +15,7 @@ constexpr double kNoiseFreeResidual = 1e-5;
 
 }  // namespace
 
-// Of a number of pixels: [coordinate][pixel], and what was minimised at them.
+// Coordinates of a number of pixels, [coordinate][pixel], and what was minimised at them.
 struct ExactPass::Pixels {
   explicit Pixels(std::size_t pixelCount)
       : count(pixelCount), coordinates(kParameterCount * pixelCount), costs(pixelCount) {}

@@ -77,7 +77,7 @@ class RefinedSolver final : public PixelSolver {
   const char* stage() const override { return "refined fit"; }
 
  private:
-  // From coordinates, in place.
+  // Turns coordinates into parameters, in place.
   void toParameters(const PixelBatch& batch) const {
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       if (!single_.problem().isLog[k]) continue;

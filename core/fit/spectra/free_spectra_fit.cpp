@@ -9,7 +9,7 @@ namespace {
 // Shares of the progress: the fit with the profile's own constants, and the tables of the layers.
 constexpr double kOwnShare = 0.1, kTablesShare = 0.2;
 
-// From what was found with the profile's own constants.
+// Fits from what was found with the profile's own constants.
 template <int N>
 Result<std::vector<FreeSpectrumFit>> fitFrom(const std::vector<SpectrumFit>& own,
                                              const SkinModel& model,

@@ -17,13 +17,13 @@ namespace {
 // Points of the box that searches begin among.
 constexpr int kSamples = 8192;
 constexpr std::size_t kSpectraPerPiece = 16;
-// Of the samples of the box that searches begin among: little blood in the dermis and much of it
-// may fit a spectrum alike, with nothing lower between, so the nearest are taken from each of
-// several parts of its range.
+// Searches begin at samples of the box. Little blood in the dermis and much of it may fit a
+// spectrum alike, with nothing lower between, so the nearest samples are taken from each of several
+// parts of its range.
 constexpr std::size_t kParts = 4;
 constexpr std::size_t kStartsPerPart = 2;
 constexpr std::size_t kStarts = kParts * kStartsPerPart;
-// To find the nearest, more wavelengths than this tell no more.
+// More wavelengths than this do not help to find the nearest.
 constexpr Eigen::Index kComparedWavelengths = 32;
 constexpr int kMaximumRounds = 200;
 // A search is done when the quadratic promises less than this share of the cost, or, at an exact
@@ -56,7 +56,7 @@ class SearchChart {
 
   const Vector& x() const { return x_; }
 
-  // From derivatives by amounts to derivatives by these coordinates.
+  // Turns derivatives by amounts into derivatives by these coordinates.
   void turn(EquationsOf<N>& equations) const {
     if (!blended_) return;
     typename EquationsOf<N>::Matrix by = EquationsOf<N>::Matrix::Identity();

@@ -31,7 +31,7 @@ class FreeCoordinates {
   // Clamped into 0 to 1.
   void placesOf(const SkinConstants& constants, double* places) const;
 
-  // Of the constants `at` a place by that place.
+  // The derivative of a constant by its place, at these constants.
   double slope(SkinConstant constant, const SkinConstants& at) const;
 
  private:

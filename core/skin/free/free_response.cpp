@@ -12,7 +12,7 @@ namespace {
 
 // Pixels evaluated at once: their reflectances stay in the cache.
 constexpr std::size_t kRowsAtOnce = 64;
-// Of the progress: the choice of the nodes, then their tables.
+// The share of the progress after which the nodes are chosen; their tables follow.
 constexpr double kNodesEnd = 0.8;
 
 // Constants of pixel i of a batch, within their ranges.

@@ -36,7 +36,7 @@ struct FreeConstants {
   bool operator==(const FreeConstants&) const = default;
 };
 
-// Of those that are free.
+// The names of those that are free.
 std::vector<std::string> constantNames(const FreeConstants& free);
 
 struct SkinConstants {

@@ -29,7 +29,7 @@ struct Prior {
   ParameterVector deviation = ParameterVector::Ones();  // positive
   // Which parameters stay linear on the log scale: as PriorScale::linear.
   std::array<bool, kParameterCount> staysLinear = alwaysLinear();
-  // Of the coordinates: symmetric, 1 on the diagonal, positive definite.
+  // The correlation of the coordinates: symmetric, 1 on the diagonal, positive definite.
   ParameterMatrix correlation = ParameterMatrix::Identity();
 
   // Whether the parameter's coordinate is its logarithm.

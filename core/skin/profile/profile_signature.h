@@ -8,9 +8,9 @@
 
 namespace cutis {
 
-// Of everything that changes a reflectance or a table: profiles whose constants and spectra are the
-// same up to rounding are alike(). The prior, the name and the description are not part of it.
-// Thread-safe.
+// The signature of everything that changes a reflectance or a table: profiles whose constants and
+// spectra are the same up to rounding are alike(). The prior, the name and the description are not
+// part of it. Thread-safe.
 Signature signatureOf(const Profile& profile);
 
 }  // namespace cutis

@@ -72,7 +72,7 @@ class Document : public QObject {
   // What somebody looks at: a fit that is under way does its tiles first.
   void lookAt(const Rect& view);
 
-  // Fits again, edits are kept; a choice that cannot be is told. Where the fit fails or is
+  // Fits again, edits are kept; a choice that cannot be is reported. Where the fit fails or is
   // cancelled the last complete one comes back. Precondition: canFit().
   void fitWith(const FitChoice& choice);
   // Adds a network of the profile and the source's lights to the engine and fits with it.

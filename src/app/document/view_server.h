@@ -2,7 +2,7 @@
 
 // Pictures for the screen, made for those who watch.
 //
-// A view holds a ViewWatch and tells which part of which layer it shows at which step; it is then
+// A view holds a ViewWatch and says which part of which layer it shows at which step; it is then
 // handed that part whenever it changes, newest state first, computed in the background. What nobody
 // watches is not computed. While a control is dragged parts come at half resolution; the full one
 // follows when it rests.

@@ -25,7 +25,7 @@ struct SourceOptions {
   std::string rig;                  // name or path; empty: the capture's own, or `albedo`
   std::vector<std::string> lights;  // of a capture; empty: all
   std::filesystem::path mask;       // empty: the capture's own, if any
-  // Of an albedo texture:
+  // The following are of an albedo texture.
   std::string colorSpace;  // empty: what the file says, see src/images/capture/albedo_file.h
   double exposure = 1.0;   // multiplies the linear values; positive
   // How the photographs of a capture see the skin: the surface's reflection is taken off them

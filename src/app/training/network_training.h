@@ -27,8 +27,8 @@ struct NetworkTraining {
   std::string command;  // to be recorded
 };
 
-// As the command train does it without further options, with the rig's own noise. `profile`: the
-// name or path that the rig is to be fitted with, for the command that is recorded.
+// The training that the command train does without further options, with the rig's own noise.
+// `profile`: the name or path that the rig is to be fitted with, for the command that is recorded.
 NetworkTraining usualTraining(const Rig& rig, const std::string& profile);
 
 enum class NetworkKind { spectra, chromophores };

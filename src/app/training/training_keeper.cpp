@@ -25,7 +25,7 @@ Result<NetworkTrainingState> TrainingKeeper::load() {
   if (file.identity != identity_) {
     return inputError(path_.string(),
                       "the rig, the profile or the program has changed since this training was "
-                      "interrupted; delete the file to start anew");
+                      "interrupted; delete the file to start again");
   }
   resumed_ = true;
   return std::move(file.state);
@@ -34,7 +34,8 @@ Result<NetworkTrainingState> TrainingKeeper::load() {
 Failure TrainingKeeper::explained(const Failure& failure) const {
   const auto* error = std::get_if<Error>(&failure);
   if (!resumed_ || error == nullptr || error->kind != ErrorKind::input) return failure;
-  return inputError(path_.string(), "no training goes on from this state; delete it to start anew");
+  return inputError(path_.string(),
+                    "no training continues from this state; delete it to start again");
 }
 
 void TrainingKeeper::keep(const NetworkTrainingState& state, const JobContext& context) {

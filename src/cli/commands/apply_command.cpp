@@ -25,8 +25,7 @@ struct ApplyCommand {
 
 Status checkSources(const ApplyCommand& command) {
   if (command.sources.size() > 1) {
-    return usageError(command.sources[1],
-                      "several sources are not in this version; apply to one at a time");
+    return usageError(command.sources[1], "this version takes one source at a time; apply to one");
   }
   if (command.sources.front().ends_with(".cutis")) {
     return usageError(command.sources.front(), "projects are not in this version");

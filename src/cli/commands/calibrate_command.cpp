@@ -179,7 +179,7 @@ void addCalibrateProfileCommand(CLI::App& app, Invocation& invocation) {
   addOption(command, "--bootstraps", options->bootstraps, "N",
             "Calibrations on spectra drawn again, for the intervals of the constants "
             "(default: 30)");
-  addOption(command, "--seed", options->seed, "N", "Of the random numbers (default: 1)");
+  addOption(command, "--seed", options->seed, "N", "Seed of the random numbers (default: 1)");
 }
 
 }  // namespace cutis

@@ -59,7 +59,7 @@ Result<PictureRows> pictureOf(const RenderCommand& command) {
   request.adaptation = adaptation;
   CUTIS_TRY(picture, pictureRows(request, {"--light", "--observer"}));
   if (picture.isColor) return picture;
-  constexpr char reason[] = "a camera's own channels are in no colour space; leave this out";
+  constexpr char reason[] = "a camera's own channels have no colour space; leave this out";
   CUTIS_CHECK(refuse("--colorspace", command.colorSpace, reason));
   CUTIS_CHECK(refuse("--adapt", command.adaptation, reason));
   return picture;

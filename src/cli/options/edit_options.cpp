@@ -73,9 +73,9 @@ void addEditOptions(CLI::App& command, EditOptions& options) {
   factor("--melanin-blend", options.melaninBlend, "Multiply the share of eumelanin by S");
   factor("--carotene", options.carotene, "Multiply the carotene by S");
   factor("--haemoglobin-dermal", options.haemoglobinDermal,
-         "Scale the blood of the dermis by S, the more of it the more");
+         "Scale the blood of the dermis by S; where there is more of it, more is added");
   factor("--haemoglobin-epidermal", options.haemoglobinEpidermal,
-         "Scale the blood of the epidermis by S, the more of it the more");
+         "Scale the blood of the epidermis by S; where there is more of it, more is added");
   factor("--haemoglobin", options.haemoglobin, "Scale the blood of both layers by S");
   const auto assigned = [&](const char* name, std::vector<std::string>& values, const char* text) {
     addOption(command, name, values, "NAME=V", text)->group("Edit")->allow_extra_args(false);
@@ -94,7 +94,8 @@ void addEditOptions(CLI::App& command, EditOptions& options) {
 Result<Edit> parseEdit(const EditOptions& options) {
   if (!options.haemoglobin.empty() &&
       !(options.haemoglobinDermal.empty() && options.haemoglobinEpidermal.empty())) {
-    return usageError("--haemoglobin", "this sets both layers; give either it or the layers");
+    return usageError("--haemoglobin",
+                      "this sets both layers; give either this or the single layers");
   }
   Edit edit;
   CUTIS_CHECK(parseScales(options, edit));

@@ -14,7 +14,7 @@
 
 namespace cutis {
 
-// As they were given; empty: not given.
+// The texts as they were given; empty: not given.
 struct EditOptions {
   std::string melanin;
   std::string melaninBlend;

@@ -55,7 +55,7 @@ void addFitOptions(CLI::App& command, FitCommandOptions& options) {
             "Camera and lights: a built-in name or a JSON file (default: what the capture "
             "names; albedo for an image)");
   addOption(command, "--lights", options.lights, "LIGHT,...",
-            "Lights of the capture to use, with commas between them (default: all)");
+            "Lights of the capture to use, separated by commas (default: all)");
   addOption(command, "--exposure", options.exposure, "S|auto",
             "Factor on the linear values of an image; auto chooses the one that brings "
             "most pixels into the profile's range of skin colours (default: 1)");
@@ -120,7 +120,7 @@ Result<FitRequest> parseFitOptions(const FitCommandOptions& options) {
   request.measurement = measurement;
   if (options.shading && measurement.specular == SpecularPart::included) {
     return usageError("--shading",
-                      "shade and the reflection of the surface cannot be told apart; leave out one "
+                      "shading and the surface reflection cannot be told apart; leave out one "
                       "of --shading and --specular");
   }
   request.priorFile = options.prior;

@@ -17,7 +17,7 @@
 
 namespace cutis {
 
-// As they were given; empty: not given.
+// The texts as they were given; empty: not given.
 struct FitCommandOptions {
   std::string method;
   std::string profile;

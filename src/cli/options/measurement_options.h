@@ -12,7 +12,7 @@
 
 namespace cutis {
 
-// As they were given; empty: not given.
+// The texts as they were given; empty: not given.
 struct MeasurementOptions {
   std::string specular;
   std::string share;

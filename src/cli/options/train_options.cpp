@@ -151,32 +151,33 @@ Status setSeed(const std::string& text, NetworkTraining& training) {
 
 void addNetworkOptions(CLI::App& command, TrainOptions& options) {
   addOption(command, "--hidden", options.hidden, "N,...",
-            "Units of the hidden layers of both networks, with commas between them "
+            "Units of the hidden layers of both networks, separated by commas "
             "(default: 32,32,32 for SpectraNN and 32,32 for ChromNN)");
-  addOption(command, "--activation", options.activation, "NAME",
-            "Of the hidden layers of both: relu, sigmoid or squareplus (default)");
+  addOption(
+      command, "--activation", options.activation, "NAME",
+      "Activation of the hidden layers of both networks: relu, sigmoid or squareplus (default)");
   addOption(command, "--components", options.components, "N|auto",
             "Principal components of the spectra; auto (default): as few as leave a mean "
             "squared error of 1e-8");
   addOption(command, "--people", options.people, "N", "People to train on (default: 300000)");
   addOption(command, "--table-step", options.tableStep, "N",
-            "Take the principal components from every so manieth entry of the table of "
+            "Take the principal components from every N-th entry of the table of "
             "skin, for quick trials (default: 1)");
 }
 
 void addTrainerOptions(CLI::App& command, TrainOptions& options) {
   addOption(command, "--epochs", options.epochs, "N",
-            "Times through all people (default: 50 for SpectraNN and 40 for ChromNN)");
+            "Passes through all people (default: 50 for SpectraNN and 40 for ChromNN)");
   addOption(command, "--patience", options.patience, "N",
-            "Stop a network after so many epochs without a smaller error on people held "
+            "Stop a network after N epochs without a smaller error on people held "
             "out; 0 (default): never");
   addOption(command, "--rate", options.rate, "R",
             "Largest learning rate, which rises at first and then falls as a cosine "
             "(default: 0.02)");
   addOption(command, "--weight-decay", options.weightDecay, "D",
             "Share by which a weight shrinks per unit of rate (default: 0)");
-  addOption(command, "--batch", options.batch, "N", "People of one step (default: 384)");
-  addOption(command, "--seed", options.seed, "N", "Of the random numbers (default: 1)");
+  addOption(command, "--batch", options.batch, "N", "People per step (default: 384)");
+  addOption(command, "--seed", options.seed, "N", "Seed of the random numbers (default: 1)");
 }
 
 }  // namespace
@@ -187,7 +188,7 @@ void addTrainOptions(CLI::App& command, TrainOptions& options) {
       ->required();
   addProfileOption(command, options.profile, kDefaultProfile);
   addOption(command, "--lights", options.lights, "LIGHT,...",
-            "Lights of the rig to use, with commas between them (default: all)");
+            "Lights of the rig to use, separated by commas (default: all)");
   addOption(command, "--channels", options.channels, "all|paper",
             "all channels of the lights (default), or paper: the five of Li et al. 2024, "
             "r, g, b, sb, sg");

@@ -64,8 +64,7 @@ Result<ImageFileKind> identifyImageFile(const fs::path& path) {
   if (length == 0) return inputError(place, "the file is empty; use one with content");
   const auto kind = kindOf({head, length}, extension);
   if (!kind) {
-    return inputError(place,
-                      "this is no image of a kind that is read here; use " + readFormatNames());
+    return inputError(place, "this is not an image of a supported kind; use " + readFormatNames());
   }
   return *kind;
 }

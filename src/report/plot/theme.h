@@ -6,7 +6,7 @@
 
 namespace cutis {
 
-// Apart in hue and in lightness, for readers who do not tell all hues.
+// These differ in hue and in lightness, for readers who do not distinguish all hues.
 struct SeriesColors {
   Color orange, blue, purple, grey, green;
 };

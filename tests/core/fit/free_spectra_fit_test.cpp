@@ -51,7 +51,7 @@ struct MeasuredPerson {
   SkinConstants constants;
 };
 
-// Faces with blood enough to tell its oxygenation and melanin enough to tell where it lies.
+// Faces with enough blood to show its oxygenation and enough melanin to show where it lies.
 std::vector<MeasuredPerson> measuredPeople(const FreeConstants& free, const Profile& profile,
                                            int count) {
   std::mt19937 random(3);
@@ -73,7 +73,7 @@ std::vector<MeasuredPerson> measuredPeople(const FreeConstants& free, const Prof
   return measuredPeople;
 }
 
-// By models made for each person's constants.
+// Spectra by models made for each person's constants.
 std::vector<double> freeSpectraOf(const Profile& profile,
                                   const std::vector<MeasuredPerson>& measuredPeople,
                                   const std::vector<double>& nm, double noise = 0.0) {

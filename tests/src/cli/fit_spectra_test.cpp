@@ -175,7 +175,7 @@ class FitSpectraTest : public QObject {
     QTest::newRow("negative") << header + "a,.1,.2,.3,.4,-1\n"
                               << "wrong.csv:2, column 6: the reflectance -1";
     QTest::newRow("percent") << header + "a,10,20,30,40,50\n"
-                             << "divide percent by 100";
+                             << "divide percentages by 100";
     QTest::newRow("short") << header + "a,.1\n"
                            << "wrong.csv:2: the row has 2 fields";
     QTest::newRow("four wavelengths")

@@ -81,13 +81,13 @@ class MeasuredSpectraTest : public QObject {
     row("micrometres", "id,0.4,0.5\na,.1,.2\n", "m.csv:1: there are no wavelengths");
     row("no spectra", "id,400,500\n", "m.csv: there are no spectra");
     row("misspelt wavelength", "id,4o0,500,600\na,.1,.2,.3\n",
-        "m.csv:1, column 2: '4o0' is no wavelength");
+        "m.csv:1, column 2: '4o0' is not a wavelength");
     row("word among wavelengths", "id,400,x,600\na,.1,.2,.3\n",
-        "m.csv:1, column 3: 'x' is no wavelength");
+        "m.csv:1, column 3: 'x' is not a wavelength");
     row("unsorted", "id,500,400,600\na,.1,.2,.3\n",
-        "m.csv:1, column 3: the wavelength 400 follows on 500");
+        "m.csv:1, column 3: the wavelength 400 comes after 500");
     row("repeated", "nm,a\n400,.1\n500,.2\n500,.3\n",
-        "m.csv:4, column 1: the wavelength 500 follows on 500");
+        "m.csv:4, column 1: the wavelength 500 comes after 500");
     row("out of range", "id,800,900\na,.1,.2\n",
         "m.csv:1: too few wavelengths lie from 400 to 700 nm: 0 where at least 2");
     row("too few", "nm,a\n390,.1\n400,.2\n",
@@ -102,7 +102,8 @@ class MeasuredSpectraTest : public QObject {
     row("negative", "id,400,500\n\na,.1,-.2\n",
         "m.csv:3, column 3: the reflectance -0.2 is negative");
     row("percent", "id,400,500\na,37.5,41\n",
-        "m.csv:2, column 2: the reflectance 37.5 is no share from 0 to 1; divide percent by 100");
+        "m.csv:2, column 2: the reflectance 37.5 is not a share from 0 to 1; divide percentages by "
+        "100");
   }
   void errorsSayWhere() {
     QFETCH(QString, text);

@@ -91,9 +91,9 @@ class ForeignImageTest : public QObject {
     test::writeBytes(folder_.path("empty.exr"), {});
     EXPECT_ERROR(read(folder_.path("empty.exr")), "the file is empty");
     test::writeBytes(folder_.path("text.png"), "hello, I am a text and no picture");
-    EXPECT_ERROR(read(folder_.path("text.png")), "no image of a kind that is read");
+    EXPECT_ERROR(read(folder_.path("text.png")), "not an image of a supported kind");
     test::writeBytes(folder_.path("short.tif"), "I");
-    EXPECT_ERROR(read(folder_.path("short.tif")), "no image of a kind that is read");
+    EXPECT_ERROR(read(folder_.path("short.tif")), "not an image of a supported kind");
     test::writeBytes(folder_.path("photo.NEF"), QByteArray("II*\0", 4) + QByteArray(100, 'x'));
     EXPECT_ERROR(read(folder_.path("photo.NEF")), "raw photograph");
     EXPECT_ERROR(read("/dev/null"), "not a regular file");

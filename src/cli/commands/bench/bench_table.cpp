@@ -232,7 +232,7 @@ std::string benchHeader(const BenchFigures& figures) {
           std::to_string(figures.subsample) + ", their times a pixel scaled from these\n";
   text +=
       "MSE: mean squared error of reflectance; vis 400-700 nm, UV 300-400 nm, NIR 700-1000 nm.\n"
-      "dE: CIEDE2000, median/95 %. A refined fit is told the noise, at 0 it assumes the rig's; "
+      "dE: CIEDE2000, median/95 %. A refined fit knows the noise, at 0 it assumes the rig's; "
       "the\n"
       "exact setting believes every digit and is judged without noise alone.\n";
   return text;

@@ -61,7 +61,7 @@ Status runRigCommand(const RigCommand& command, Session& session) {
     CUTIS_TRY(noise, realNumbers("--noise", command.noise, 2, 0.0, 1.0));
     rig.noise = {noise[0], noise[1]};
     if (rig.noise.isExact()) {
-      return usageError("--noise", "without noise everything is known; give one above 0");
+      return usageError("--noise", "without noise everything is known; give a noise above 0");
     }
   }
   Prior prior = model->profile().prior;
