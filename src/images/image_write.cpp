@@ -112,7 +112,7 @@ Status writeImage(const std::filesystem::path& path, const ImageContent& content
   if (keepProfile && format.kind == ImageFileKind::png &&
       !MetadataAccess::pngTakesProfile(content.metadata)) {
     keepProfile = false;
-    context.say(place + ": PNG does not take this colour profile, which is left out; use TIFF");
+    context.say(place + ": PNG cannot hold this colour profile, which is left out; use TIFF");
   }
   MetadataAccess::add(content.metadata, keepProfile, part.spec);
   for (OIIO::ImageSpec* spec : {&plain, &part.spec}) {

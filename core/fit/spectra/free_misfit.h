@@ -39,7 +39,7 @@ class FreeMisfit final : public SpectraMisfit<N> {
   std::size_t wavelengthCount() const override { return rows_.rows.size(); }
   const ParameterAxes& axes() const override { return skin_.axes(); }
 
-  // Between a set and the constants it stands for; what is not free is the profile's.
+  // These convert between a set and the constants it stands for; what is not free is the profile's.
   SkinConstants constantsAt(const Set& set) const;
   Set setAt(const ParameterVector& parameters, const SkinConstants& constants) const;
 

@@ -1,5 +1,5 @@
-// The error protocol of resources/manual/accuracy.md (the paper's Table 1, made reproducible) on the
-// monitor rig.
+// The error protocol of resources/manual/accuracy.md (the paper's Table 1, made reproducible) on
+// the monitor rig.
 
 #include <functional>
 #include <memory>
