@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/skin/profile/chromophore_table.h"
 #include "core/skin/profile/parameter_names.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/suggestion.h"
@@ -31,7 +32,7 @@ Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
                                    suggestName(std::string(header.fields[c]), knownNames()));
     }
     if (found[*parameter]) {
-      return inputError(place, "the column '" + std::string(header.fields[c]) + "' is there twice");
+      return inputError(place, "the column '" + std::string(header.fields[c]) + "' appears twice");
     }
     found[*parameter] = true;
     columns[*parameter] = c;
@@ -61,7 +62,7 @@ Result<ParameterVector> parseParameters(const std::vector<std::string_view>& fie
     const std::string name(parameterName(parameter));
     const auto number = parseNumber(field);
     if (!number || !std::isfinite(*number)) {
-      return Error{kind, place, name + " is '" + std::string(field) + "', which is no number"};
+      return Error{kind, place, name + " is '" + std::string(field) + "', which is not a number"};
     }
     const double most = axes[parameter].maximum;
     if (*number < 0.0 || *number > most) {

@@ -40,7 +40,7 @@ std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
         {notSettled, percent(share, 2) + " of the pixels did not settle; their values are rough"});
   }
   if (shareOutside.value_or(0.0) > kNoticeableOutside) {
-    remarks.push_back({FitRemark::Kind::shareOutside,
+    remarks.push_back({FitRemark::Kind::outsideDiffusion,
                        "in " + percent(*shareOutside, 2) +
                            " of the pixels the skin absorbs more visible light than it scatters, "
                            "where diffusion, "
