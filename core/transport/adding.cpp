@@ -91,7 +91,6 @@ double opticalDepth(const TransportLayer& layer, double anisotropy) {
   template LitInterface<N> below(const LitInterface<N>&, const LayerAdmittance<N>&);  \
   template StreamVector<N> lightOver(const LitInterface<N>&, const StreamMatrix<N>&); \
   template LayerEquation<N> equationOf(const Streams<N>&, const TransportLayer&, double);
-CUTIS_INSTANTIATE(8)
 CUTIS_INSTANTIATE(16)
 CUTIS_INSTANTIATE(32)
 #undef CUTIS_INSTANTIATE

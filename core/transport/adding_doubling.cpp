@@ -16,8 +16,8 @@ bool isAmount(double value) {
 
 Status checkOptions(const TransportOptions& options) {
   const int n = options.streams;
-  if (n != 8 && n != 16 && n != 32) {
-    return inputError("", "the number of streams must be 8, 16 or 32");
+  if (n != 16 && n != 32) {
+    return inputError("", "the number of streams must be 16 or 32");
   }
   if (!(options.refractiveIndex >= 1.0 && options.refractiveIndex <= 3.0)) {
     return inputError("", "the refractive index must lie between 1 and 3");
@@ -131,28 +131,16 @@ Result<TransportResult> layeredTransport(std::span<const TransportLayer> layers,
                                          const TransportOptions& options) {
   CUTIS_CHECK(checkOptions(options));
   CUTIS_CHECK(checkLayers(layers));
-  switch (options.streams) {
-    case 8:
-      return transportThrough<8>(layers, options);
-    case 16:
-      return transportThrough<16>(layers, options);
-    default:
-      return transportThrough<32>(layers, options);
-  }
+  if (options.streams == 16) return transportThrough<16>(layers, options);
+  return transportThrough<32>(layers, options);
 }
 
 Result<Eigen::ArrayXXd> twoLayerReflectances(const TwoLayerGrid& grid,
                                              const TransportOptions& options) {
   CUTIS_CHECK(checkOptions(options));
   CUTIS_CHECK(checkGrid(grid));
-  switch (options.streams) {
-    case 8:
-      return gridReflectances<8>(grid, options);
-    case 16:
-      return gridReflectances<16>(grid, options);
-    default:
-      return gridReflectances<32>(grid, options);
-  }
+  if (options.streams == 16) return gridReflectances<16>(grid, options);
+  return gridReflectances<32>(grid, options);
 }
 
 }  // namespace cutis

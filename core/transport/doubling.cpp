@@ -69,10 +69,8 @@ StreamMatrix<N> halfSpaceAdmittance(const LayerEquation<N>& equation) {
   return doubledLayer(equation, kThickest).even;
 }
 
-template LayerAdmittance<8> layerAdmittance(const LayerEquation<8>&, double);
 template LayerAdmittance<16> layerAdmittance(const LayerEquation<16>&, double);
 template LayerAdmittance<32> layerAdmittance(const LayerEquation<32>&, double);
-template StreamMatrix<8> halfSpaceAdmittance(const LayerEquation<8>&);
 template StreamMatrix<16> halfSpaceAdmittance(const LayerEquation<16>&);
 template StreamMatrix<32> halfSpaceAdmittance(const LayerEquation<32>&);
 

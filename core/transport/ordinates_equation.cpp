@@ -72,7 +72,6 @@ LayerEquation<N> layerEquation(const Streams<N>& streams, const Scatterer& scatt
   return equation;
 }
 
-template LayerEquation<8> layerEquation(const Streams<8>&, const Scatterer&);
 template LayerEquation<16> layerEquation(const Streams<16>&, const Scatterer&);
 template LayerEquation<32> layerEquation(const Streams<32>&, const Scatterer&);
 

@@ -45,7 +45,6 @@ Streams<N> makeStreams(double index) {
   return streams;
 }
 
-template Streams<8> makeStreams<8>(double);
 template Streams<16> makeStreams<16>(double);
 template Streams<32> makeStreams<32>(double);
 

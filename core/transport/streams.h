@@ -29,7 +29,7 @@ struct Streams {
   StreamVector<N> surface;      // (1 − ρ) / (1 + ρ): the surface's admittance
 };
 
-// Precondition: index ≥ 1. N is 8, 16 or 32.
+// Precondition: index ≥ 1. N is 16 or 32.
 template <int N>
 Streams<N> makeStreams(double index);
 

@@ -75,10 +75,10 @@ Result<Measurements> pictureOf(const BenchSubject& subject, const Content& conte
   return photograph(maps, *subject.model, subject.rig, content.noise, kSeed, silent);
 }
 
-using Clock = std::chrono::steady_clock;
+using SteadyClock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+double secondsSince(SteadyClock::time_point start) {
+  return std::chrono::duration<double>(SteadyClock::now() - start).count();
 }
 
 // Fits the picture, as often as asked; the fastest run counts.
@@ -89,7 +89,7 @@ Result<PictureFigures> fitPicture(const BenchSubject& subject, const Measurement
   figures.size = picture.width();
   const auto held = restartPeakMemory();
   for (int run = 0; run < repeats; ++run) {
-    const auto start = Clock::now();
+    const auto start = SteadyClock::now();
     const FitPlanes planes(picture, {}, subject.store);
     CUTIS_TRY(statistics, runFit(picture, solver, planes, silent));
     CUTIS_TRY(gamut, measureGamut(picture, planes.maps, solver, {}, silent));
@@ -110,7 +110,7 @@ Result<FirstPictureFigures> firstPicture(const BenchSubject& subject, const Meas
   FirstPictureFigures figures;
   figures.size = picture.width();
   for (int run = 0; run < kRepeats; ++run) {
-    const auto start = Clock::now();
+    const auto start = SteadyClock::now();
     const FitPlanes planes(picture, {}, subject.store);
     CUTIS_CHECK(runCoarseFit(picture, solver, planes.maps, silent));
     const double seconds = secondsSince(start);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/skin/profile/chromophore_table.h"
 #include "core/skin/profile/parameter_names.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/suggestion.h"

@@ -19,8 +19,7 @@ std::string percent(double share, int digits) {
 
 std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
                                  const std::vector<ConstantSummary>& constants, FitMethod method,
-                                 const NoiseModel& noise,
-                                 const std::optional<double>& outsideDiffusion,
+                                 const NoiseModel& noise, const std::optional<double>& shareOutside,
                                  const std::optional<ExposureChoice>& exposure) {
   using enum FitRemark::Kind;
   std::vector<FitRemark> remarks;
@@ -40,9 +39,9 @@ std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
     remarks.push_back(
         {notSettled, percent(share, 2) + " of the pixels did not settle; their values are rough"});
   }
-  if (outsideDiffusion.value_or(0.0) > kNoticeableOutside) {
+  if (shareOutside.value_or(0.0) > kNoticeableOutside) {
     remarks.push_back({FitRemark::Kind::outsideDiffusion,
-                       "in " + percent(*outsideDiffusion, 2) +
+                       "in " + percent(*shareOutside, 2) +
                            " of the pixels the skin absorbs more visible light than it scatters, "
                            "where diffusion, "
                            "the layer optics of this profile, no longer holds; choose a profile by "

@@ -81,9 +81,9 @@ class Writer {
 };
 
 // Rows of all channels, interleaved in the type of the file.
-class Band {
+class WrittenRows {
  public:
-  Band(const OutputPart& part, SampleType type) : part_(part), type_(type) {}
+  WrittenRows(const OutputPart& part, SampleType type) : part_(part), type_(type) {}
 
   int rows() const {
     const std::int64_t fits = kWriteBytes / std::max<std::int64_t>(1, rowBytes());
@@ -165,7 +165,7 @@ Status writeParts(const std::filesystem::path& file, const std::string& place, I
     totalRows += part.spec.height;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     CUTIS_CHECK(writer.nextPart(i));
-    Band band(parts[i], type);
+    WrittenRows band(parts[i], type);
     const int height = parts[i].spec.height;
     for (int y = 0; y < height; y += band.rows()) {
       if (context.stopRequested()) return Cancelled{};
