@@ -11,7 +11,6 @@
 namespace cutis {
 namespace {
 
-using ParameterMatrix = Eigen::Matrix<double, kParameterCount, kParameterCount>;
 using ParameterColumns = Eigen::Matrix<double, Eigen::Dynamic, kParameterCount>;
 
 constexpr std::size_t kBatch = 16;

@@ -15,7 +15,7 @@ struct Measurements {
   Rig rig;
   // One plane per channel of the rig, linear, perfect diffuser = 1, all of one size.
   std::vector<Plane> channels;
-  // PixelState as a number; `solved` here means that the pixel is there to be solved.
+  // storedState() of each pixel; `solved` here means that the pixel is there to be solved.
   Plane state;
 
   int width() const { return state.width(); }

@@ -21,7 +21,7 @@ constexpr std::uint64_t kNoiseStream = 800;
 // Pixels evaluated at once: their reflectances stay in the cache.
 constexpr std::size_t kBatch = 512;
 
-struct Scene {
+struct Subject {
   const ChromophoreMaps& maps;
   const ChannelModel model;
   const Backdrop backdrop;
@@ -29,20 +29,20 @@ struct Scene {
   const std::uint64_t seed;
 };
 
-// Channels of one tile, in a plane each.
+// Channels of one tile, a row each.
 class TileExposure {
  public:
-  TileExposure(const Scene& scene, const Rect& rect)
-      : scene_(scene),
+  TileExposure(const Subject& subject, const Rect& rect)
+      : subject_(subject),
         rect_(rect),
-        channels_(scene.model.channelCount(), std::vector<float>(rect.pixelCount())) {}
+        channels_(subject.model.channelCount(), rect.pixelCount()) {}
 
   Status run(Measurements& photographs) {
-    CUTIS_TRY(skin, loadParameters(scene_.maps, rect_));
+    CUTIS_TRY(skin, loadParameters(subject_.maps, rect_));
     exposeSkin(skin);
     exposeBackdrop(skin.present);
     addNoise();
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
+    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
       CUTIS_CHECK(photographs.channels[k].store(rect_, channels_[k]));
     }
     return photographs.state.store(rect_, states(skin.present));
@@ -51,29 +51,21 @@ class TileExposure {
  private:
   void exposeSkin(const ParameterBuffer& skin) {
     std::vector<float> reflectance;
-    std::vector<float*> out(channels_.size());
     for (std::size_t begin = 0; begin < skin.count(); begin += kBatch) {
-      ParameterBatch<float> batch = skin.batch();
-      batch.count = std::min(kBatch, skin.count() - begin);
+      const std::size_t count = std::min(kBatch, skin.count() - begin);
       const auto first = skin.present.begin() + static_cast<std::ptrdiff_t>(begin);
-      const auto last = first + static_cast<std::ptrdiff_t>(batch.count);
+      const auto last = first + static_cast<std::ptrdiff_t>(count);
       if (std::find(first, last, true) == last) continue;
-      for (const float*& values : batch.values)
-        values += begin;
-      for (const float*& values : batch.constants) {
-        if (values != nullptr) values += begin;
-      }
-      for (std::size_t k = 0; k < out.size(); ++k)
-        out[k] = channels_[k].data() + begin;
-      scene_.model.evaluate(batch, reflectance, out.data());
+      subject_.model.evaluate(skin.batch().part(begin, count), reflectance,
+                              channels_.rows().part(begin, count));
     }
   }
 
   void exposeBackdrop(const std::vector<bool>& present) {
     if (std::find(present.begin(), present.end(), false) == present.end()) return;
-    const std::vector<float> level = scene_.backdrop.level(rect_);
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
-      const float reading = scene_.backdrop.channel(k);
+    const std::vector<float> level = subject_.backdrop.level(rect_);
+    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
+      const float reading = subject_.backdrop.channel(k);
       for (std::size_t i = 0; i < level.size(); ++i) {
         if (!present[i]) channels_[k][i] = reading * level[i];
       }
@@ -81,10 +73,10 @@ class TileExposure {
   }
 
   void addNoise() {
-    const auto deviation = static_cast<float>(scene_.proportionalNoise);
-    const auto pictureWidth = static_cast<std::uint64_t>(scene_.maps.width());
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
-      const std::uint64_t key = noiseKey(scene_.seed, kNoiseStream + k);
+    const auto deviation = static_cast<float>(subject_.proportionalNoise);
+    const auto pictureWidth = static_cast<std::uint64_t>(subject_.maps.width());
+    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
+      const std::uint64_t key = noiseKey(subject_.seed, kNoiseStream + k);
       float* value = channels_[k].data();
       for (int y = rect_.y0; y < rect_.y1; ++y) {
         const std::uint64_t pixel =
@@ -104,14 +96,14 @@ class TileExposure {
     std::vector<float> states;
     states.reserve(present.size());
     for (const bool skin : present) {
-      states.push_back(static_cast<float>(skin ? PixelState::solved : PixelState::masked));
+      states.push_back(storedState(skin ? PixelState::solved : PixelState::masked));
     }
     return states;
   }
 
-  const Scene& scene_;
+  const Subject& subject_;
   const Rect rect_;
-  std::vector<std::vector<float>> channels_;
+  PixelBuffer<float> channels_;
 };
 
 }  // namespace
@@ -123,8 +115,9 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
     return usageError("", "the noise must be a standard deviation from 0, such as 0.005");
   }
   CUTIS_TRY(channels, ChannelModel::create(model, rig, maps.free(), context.child(0.0, 0.2)));
-  const Scene scene = {maps, std::move(channels), Backdrop(rig, maps.width(), maps.height(), seed),
-                       proportionalNoise, seed};
+  const Subject subject = {maps, std::move(channels),
+                           Backdrop(rig, maps.width(), maps.height(), seed), proportionalNoise,
+                           seed};
   Measurements photographs;
   photographs.rig = rig;
   photographs.state = Plane(maps.width(), maps.height(), PixelFormat::half);
@@ -134,7 +127,7 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
   CUTIS_CHECK(parallelFor(static_cast<std::size_t>(photographs.state.tileCount()),
                           context.child(0.2, 1.0), [&](std::size_t i) {
                             const Rect rect = photographs.state.tileRect(static_cast<int>(i));
-                            return TileExposure(scene, rect).run(photographs);
+                            return TileExposure(subject, rect).run(photographs);
                           }));
   return photographs;
 }

@@ -5,14 +5,14 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/fit/coordinate_prior.h"
+
 namespace cutis {
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// The log scale ends here, in units of the axis: far below what can be measured.
-constexpr double kSmallestShare = 1e-7;
 // Standing in for "none" where no noise is asked for: well below what a 16-bit image resolves.
 constexpr double kExactNoise = 1e-7;
 // Convergence: the step would lower the cost by less than this share of one standard deviation².
@@ -59,7 +59,7 @@ ParameterVector MapEstimator::stepWithinBox(const ParameterMatrix& hessian,
 MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
                            const EstimatorOptions& options)
     : model_(model),
-      measured_(model, options.geometry),
+      instrument_(model, options.geometry),
       nodes_(std::move(nodes)),
       options_(options) {
   if (options_.prior) priorPrecision_ = options_.prior->precision();
@@ -100,7 +100,7 @@ MapEstimator::Linearisation MapEstimator::linearise(const ParameterVector& coord
   for (Index n = 0; n < count; ++n) {
     ParameterVector row;
     reflectance[n] =
-        measured_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters, row);
+        instrument_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters, row);
     for (int i = 0; i < kParameterCount; ++i) {
       slopes(n, i) = isLog(i) ? row[i] * parameters[i] : row[i];
     }
@@ -114,7 +114,7 @@ double MapEstimator::cost(const VectorXd& channels, const VectorXd& precision,
   VectorXd reflectance(static_cast<Index>(nodes_.samples.size()));
   for (Index n = 0; n < reflectance.size(); ++n) {
     reflectance[n] =
-        measured_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters);
+        instrument_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters);
   }
   const VectorXd residual = channels - nodes_.weights * reflectance;
   double sum = (precision.array() * residual.array().square()).sum();

@@ -22,8 +22,6 @@
 
 namespace cutis {
 
-using ParameterMatrix = Eigen::Matrix<double, kParameterCount, kParameterCount>;
-
 struct EstimatorOptions {
   std::optional<Prior> prior;  // none: bounded least squares
   NoiseModel noise;
@@ -75,7 +73,7 @@ class MapEstimator {
                                 std::array<bool, kParameterCount> held) const;
 
   const SkinModel& model_;
-  InstrumentModel measured_;
+  InstrumentModel instrument_;
   SpectralNodes nodes_;
   EstimatorOptions options_;
   std::vector<bool> alive_;                                   // per row

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "core/fit/spectra/spectra_equations.h"
+#include "core/fit/spectra/spectra_misfit.h"
 
 namespace cutis {
 
@@ -13,21 +13,21 @@ Result<FreeMisfit<N>> FreeMisfit<N>::make(const SkinModel& model,
                                           const FreeConstants& free, double edgeLossPerMm,
                                           const JobContext& context) {
   assert(free.count() == N - kParameterCount);
-  MeasuredRows rows = measuredRows(wavelengthsNm);
-  CUTIS_TRY(skin, FreeSkin::make(model, rows.samples, free, context, {edgeLossPerMm}));
-  return FreeMisfit(model, std::move(rows), std::move(skin));
+  GridInterpolation grid = gridInterpolation(wavelengthsNm);
+  CUTIS_TRY(skin, FreeSkin::make(model, grid.samples, free, context, {edgeLossPerMm}));
+  return FreeMisfit(model, std::move(grid), std::move(skin));
 }
 
 template <int N>
-FreeMisfit<N>::FreeMisfit(const SkinModel& model, MeasuredRows rows, FreeSkin skin)
-    : rows_(std::move(rows)), skin_(std::move(skin)) {
-  for (const int sample : rows_.samples)
+FreeMisfit<N>::FreeMisfit(const SkinModel& model, GridInterpolation grid, FreeSkin skin)
+    : grid_(std::move(grid)), skin_(std::move(skin)) {
+  for (const int sample : grid_.samples)
     slopes_.push_back(absorptionPerCoordinate(model, sample));
 }
 
 template <int N>
 SkinConstants FreeMisfit<N>::constantsAt(const Set& set) const {
-  return skin_.places().at(set.data() + kParameterCount);
+  return skin_.coordinates().constantsAt(set.data() + kParameterCount);
 }
 
 template <int N>
@@ -35,7 +35,7 @@ auto FreeMisfit<N>::setAt(const ParameterVector& parameters, const SkinConstants
     -> Set {
   Set set;
   set.template head<kParameterCount>() = parameters;
-  skin_.places().placesOf(constants, set.data() + kParameterCount);
+  skin_.coordinates().coordinatesOf(constants, set.data() + kParameterCount);
   return set;
 }
 
@@ -52,18 +52,7 @@ FreeSpectra FreeMisfit<N>::evaluate(std::span<const Set> sets, bool derivatives)
 
 template <int N>
 Eigen::MatrixXd FreeMisfit<N>::spectra(std::span<const Set> sets) const {
-  const std::size_t count = sets.size();
-  const std::vector<double> reflectance = evaluate(sets, false).reflectance;
-  Eigen::MatrixXd spectra(rows_.rows.size(), count);
-  for (std::size_t w = 0; w < rows_.rows.size(); ++w) {
-    const MeasuredRow& row = rows_.rows[w];
-    for (std::size_t i = 0; i < count; ++i) {
-      spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
-          (1.0 - row.share) * reflectance[row.lower * count + i] +
-          row.share * reflectance[row.upper * count + i];
-    }
-  }
-  return spectra;
+  return interpolated(grid_, evaluate(sets, false).reflectance, sets.size());
 }
 
 template <int N>
@@ -71,11 +60,12 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
     std::span<const Set> sets, std::span<const double* const> measured) const {
   const std::size_t count = sets.size();
   const FreeSpectra spectra = evaluate(sets, true);
-  const FreeCoordinates& places = skin_.places();
-  const int oxygenationAt = places.indexOf(kOxygenation), thicknessAt = places.indexOf(kThickness);
+  const FreeCoordinates& coordinates = skin_.coordinates();
+  const int oxygenationAt = coordinates.indexOf(kOxygenation),
+            thicknessAt = coordinates.indexOf(kThickness);
   std::vector<double> thicknessSlopes;
   for (const Set& set : sets)
-    thicknessSlopes.push_back(places.slope(kThickness, constantsAt(set)));
+    thicknessSlopes.push_back(coordinates.slope(kThickness, constantsAt(set)));
   // ∂R by coordinate k of set i at a sample.
   const auto slope = [&](std::size_t s, std::size_t i, int k) {
     const std::size_t at = s * count + i;
@@ -95,8 +85,8 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
     return spectra.perEpidermal[at] * slopes_[s][static_cast<std::size_t>(k)];
   };
   EquationSums<N> sums(count);
-  for (std::size_t w = 0; w < rows_.rows.size(); ++w) {
-    const MeasuredRow& row = rows_.rows[w];
+  for (std::size_t w = 0; w < grid_.rows.size(); ++w) {
+    const InterpolatedRow& row = grid_.rows[w];
     const double above = row.share, below = 1.0 - row.share;
     for (std::size_t i = 0; i < count; ++i) {
       sums.residual()[i] = measured[i][w] - (below * spectra.reflectance[row.lower * count + i] +

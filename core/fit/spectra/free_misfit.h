@@ -3,9 +3,9 @@
 // The model at measured wavelengths with constants of the profile as further coordinates, and the
 // normal equations of its misfit: the inner part of core/fit/spectra/free_spectra_fit.cpp.
 //
-// A set is the five parameters and then the places of the free constants
+// A set is the five parameters and then the coordinates of the free constants
 // (core/skin/free/free_coordinates.h). Derivatives are by the coordinates of
-// core/fit/spectra/spectra_equations.h and these places.
+// core/fit/spectra/spectra_misfit.h and these.
 
 #include <array>
 #include <cstddef>
@@ -31,13 +31,13 @@ class FreeMisfit {
   static constexpr int kCoordinates = N;
   using Set = Eigen::Array<double, N, 1>;
 
-  // wavelengthsNm: increasing, within the grid. edgeLossPerMm as in SpectralMisfit. Errors:
+  // wavelengthsNm: increasing, within the grid. edgeLossPerMm as in SpectraMisfit. Errors:
   // those of FreeSkin::make.
   static Result<FreeMisfit> make(const SkinModel& model, std::span<const double> wavelengthsNm,
                                  const FreeConstants& free, double edgeLossPerMm,
                                  const JobContext& context);
 
-  std::size_t wavelengthCount() const { return rows_.rows.size(); }
+  std::size_t wavelengthCount() const { return grid_.rows.size(); }
   const ParameterAxes& axes() const { return skin_.axes(); }
 
   // Between a set and the constants it stands for; what is not free is the profile's.
@@ -51,11 +51,11 @@ class FreeMisfit {
                                         std::span<const double* const> measured) const;
 
  private:
-  FreeMisfit(const SkinModel& model, MeasuredRows rows, FreeSkin skin);
+  FreeMisfit(const SkinModel& model, GridInterpolation grid, FreeSkin skin);
 
   FreeSpectra evaluate(std::span<const Set> sets, bool derivatives) const;
 
-  MeasuredRows rows_;
+  GridInterpolation grid_;
   FreeSkin skin_;
   std::vector<std::array<double, kParameterCount>> slopes_;  // per coordinate, at the samples
 };

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/fit/spectra/spectra_equations.h"
+#include "core/fit/spectra/spectra_misfit.h"
 #include "core/fit/spectra/spectra_search.h"
 #include "core/skin/profile/parameter_sampling.h"
 
@@ -18,7 +18,7 @@ Result<std::vector<SpectrumFit>> fitSpectra(const SkinModel& model,
                                             std::span<const double> reflectances,
                                             const JobContext& context,
                                             const MeasurementGeometry& geometry) {
-  const SpectralMisfit misfit(model, wavelengthsNm, geometry.edgeLossPerMm);
+  const SpectraMisfit misfit(model, wavelengthsNm, geometry.edgeLossPerMm);
   std::vector<double> modelled(reflectances.size());
   std::transform(reflectances.begin(), reflectances.end(), modelled.begin(),
                  [&](double measured) { return modelReflectance(geometry, measured); });

@@ -15,16 +15,20 @@ constexpr std::size_t kBatch = 64;
 // Of the progress: the choice of the nodes, then their tables.
 constexpr double kNodesEnd = 0.8;
 
-// Constants of pixel i of a batch, within their ranges.
-SkinConstants constantsAt(const ParameterBatch<float>& batch, std::size_t i,
-                          const FreeCoordinates& places) {
-  SkinConstants constants = places.own();
-  if (places.free().oxygenation) {
-    constants.oxygenation = std::clamp(double{batch.constants[kOxygenation][i]}, 0.0, 1.0);
+// Constants of pixel i, within their ranges.
+SkinConstants constantsAt(PixelRows<const float> values, std::size_t i,
+                          const FreeCoordinates& coordinates) {
+  const auto valueOf = [&](SkinConstant constant) {
+    const int row = kParameterCount + coordinates.indexOf(constant);
+    return double{values.at(static_cast<std::size_t>(row), i)};
+  };
+  SkinConstants constants = coordinates.own();
+  if (coordinates.free().oxygenation) {
+    constants.oxygenation = std::clamp(valueOf(kOxygenation), 0.0, 1.0);
   }
-  if (places.free().thickness) {
-    constants.thicknessMm = std::clamp(double{batch.constants[kThickness][i]},
-                                       places.thickness().lowMm, places.thickness().highMm);
+  if (coordinates.free().thickness) {
+    constants.thicknessMm = std::clamp(valueOf(kThickness), coordinates.thickness().lowMm,
+                                       coordinates.thickness().highMm);
   }
   return constants;
 }
@@ -39,19 +43,19 @@ Result<FreeResponse> FreeResponse::make(const SkinModel& model, const SpectrumRo
   return FreeResponse(std::move(nodes), std::move(skin));
 }
 
-void FreeResponse::evaluate(const ParameterBatch<float>& batch, std::span<float* const> out) const {
+void FreeResponse::evaluate(PixelRows<const float> values, std::span<float* const> out) const {
   assert(out.size() == static_cast<std::size_t>(rowCount()));
   std::vector<ParameterVector> parameters;
   std::vector<SkinConstants> constants;
-  for (std::size_t begin = 0; begin < batch.count; begin += kBatch) {
-    const std::size_t count = std::min(kBatch, batch.count - begin);
+  for (std::size_t begin = 0; begin < values.count; begin += kBatch) {
+    const std::size_t count = std::min(kBatch, values.count - begin);
     parameters.resize(count);
     constants.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < batch.values.size(); ++k) {
-        parameters[i][static_cast<Eigen::Index>(k)] = double{batch.values[k][begin + i]};
+      for (std::size_t k = 0; k < kParameterCount; ++k) {
+        parameters[i][static_cast<Eigen::Index>(k)] = double{values.at(k, begin + i)};
       }
-      constants[i] = constantsAt(batch, begin + i, skin_.places());
+      constants[i] = constantsAt(values, begin + i, skin_.coordinates());
     }
     const std::vector<double> reflectance =
         skin_.evaluate(parameters, constants, false).reflectance;

@@ -11,22 +11,22 @@ namespace cutis {
 Result<FreeSkin> FreeSkin::make(const SkinModel& model, std::span<const int> samples,
                                 const FreeConstants& free, const JobContext& context,
                                 const FreeSkinOptions& options) {
-  CUTIS_TRY(places, FreeCoordinates::make(model.profile(), free));
+  CUTIS_TRY(coordinates, FreeCoordinates::make(model.profile(), free));
   CUTIS_TRY(layers,
             FreeLayers::make(model.profile(), samples, free, context, options.thicknessPoints));
-  return FreeSkin(model, samples, std::move(places), std::move(layers), options.edgeLossPerMm);
+  return FreeSkin(model, samples, std::move(coordinates), std::move(layers), options.edgeLossPerMm);
 }
 
-FreeSkin::FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates places,
-                   FreeLayers layers, double edgeLossPerMm)
+FreeSkin::FreeSkin(const SkinModel& model, std::span<const int> samples,
+                   FreeCoordinates coordinates, FreeLayers layers, double edgeLossPerMm)
     : samples_(samples.begin(), samples.end()),
-      places_(std::move(places)),
+      coordinates_(std::move(coordinates)),
       axes_(model.profile().axes),
       epidermis_(model.epidermis()),
       dermis_(model.dermis()),
       dermalScattering_(dermalScattering(model.profile())),
       edge_{0.0, 1.0, edgeLossPerMm},
-      blood_(model.profile(), samples_, places_.free().oxygenation),
+      blood_(model.profile(), samples_, coordinates_.free().oxygenation),
       layers_(std::move(layers)) {}
 
 FreeSpectra FreeSkin::evaluate(std::span<const ParameterVector> parameters,

@@ -41,7 +41,7 @@ class FreeSkin {
                                const FreeSkinOptions& options = {});
 
   const std::vector<int>& samples() const { return samples_; }
-  const FreeCoordinates& places() const { return places_; }
+  const FreeCoordinates& coordinates() const { return coordinates_; }
   const ParameterAxes& axes() const { return axes_; }
   // Its blood is the profile's, not that of a skin.
   const EpidermalAbsorption& epidermis() const { return epidermis_; }
@@ -52,11 +52,11 @@ class FreeSkin {
                        std::span<const SkinConstants> constants, bool derivatives) const;
 
  private:
-  FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates places,
+  FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates coordinates,
            FreeLayers layers, double edgeLossPerMm);
 
   std::vector<int> samples_;
-  FreeCoordinates places_;
+  FreeCoordinates coordinates_;
   ParameterAxes axes_;
   EpidermalAbsorption epidermis_;
   DermalAbsorption dermis_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,7 +46,8 @@ Result<PictureBuffer> mapPart(const Scene& scene, Parameter parameter, const Rec
   PictureBuffer part;
   part.width = (rect.width() + step - 1) / step;
   part.height = (rect.height() + step - 1) / step;
-  part.channels = {std::move(parameters.values[static_cast<std::size_t>(parameter)])};
+  const std::span<const float> values = parameters.values[static_cast<std::size_t>(parameter)];
+  part.channels.emplace_back(values.begin(), values.end());
   part.present = std::move(parameters.present);
   return part;
 }

@@ -22,34 +22,30 @@
 
 namespace cutis {
 
-using SpectralEquations = EquationsOf<kParameterCount>;
-using EquationMatrix = SpectralEquations::Matrix;
-using EquationVector = SpectralEquations::Vector;
-
 // Absorption at a sample of the grid per unit of each coordinate above: of the epidermis, but for
 // dermal haemoglobin.
 std::array<double, kParameterCount> absorptionPerCoordinate(const SkinModel& model, int sample);
 
 // Thread-safe: const after construction.
-class SpectralMisfit {
+class SpectraMisfit {
  public:
   // wavelengthsNm: increasing, within the grid. edgeLossPerMm: that of the measurement
   // (core/skin/model/measurement_geometry.h); where there is one, the model is evaluated one set at
   // a time, which costs several times as much. The model outlives the misfit.
-  SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
-                 double edgeLossPerMm = 0.0);
+  SpectraMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
+                double edgeLossPerMm = 0.0);
 
   static constexpr int kCoordinates = kParameterCount;
 
-  std::size_t wavelengthCount() const { return measuredRows_.rows.size(); }
+  std::size_t wavelengthCount() const { return grid_.rows.size(); }
   const ParameterAxes& axes() const { return axes_; }
 
   // One spectrum a column.
   Eigen::MatrixXd spectra(std::span<const ParameterVector> sets) const;
 
   // measured[i]: the spectrum that set i is compared with.
-  std::vector<SpectralEquations> equations(std::span<const ParameterVector> sets,
-                                           std::span<const double* const> measured) const;
+  std::vector<EquationsOf<kParameterCount>> equations(
+      std::span<const ParameterVector> sets, std::span<const double* const> measured) const;
 
  private:
   // [node][set]; derivatives by the absorptions of the layers, or none.
@@ -60,10 +56,10 @@ class SpectralMisfit {
   void evaluateSingly(std::span<const ParameterVector> sets, NodeValues& values) const;
 
   const SkinModel& model_;
-  InstrumentModel measured_;  // its edge loss alone
+  InstrumentModel instrument_;  // its edge loss alone
   ParameterAxes axes_;
-  MeasuredRows measuredRows_;
-  CompiledModel nodes_;
+  GridInterpolation grid_;
+  CompiledModel compiled_;
   std::vector<std::array<double, kParameterCount>> slopes_;  // per coordinate, at the nodes
 };
 
