@@ -44,7 +44,7 @@ test::PixelSet pick(const test::PixelSet& from, const std::vector<std::size_t>& 
 // Bits of everything the solver says about a pixel.
 struct Answer {
   std::array<float, kParameterCount> parameters;
-  std::uint8_t state;
+  PixelState state = PixelState::masked;
   std::uint16_t iterations;
 };
 Answer answerOf(const test::Solutions& solutions, std::size_t i) {

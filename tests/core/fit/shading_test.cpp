@@ -110,8 +110,10 @@ class ShadingTest : public QObject {
     const auto cost = [&](std::size_t pixel, const ParameterVector& skin) {
       const Eigen::VectorXf measured = scene.pixels.at(pixel).cast<float>();
       const Eigen::VectorXf modelled = objective.modelled(skin).cast<float>();
-      const double s = double{shadingFactor({noise, kUsualShadingDeviation}, measured.data(),
-                                            modelled.data(), static_cast<int>(measured.size()), 1)};
+      const double s = double{
+          shadingFactor({noise, kUsualShadingDeviation},
+                        packedRows(measured.data(), static_cast<std::size_t>(measured.size()), 1),
+                        packedRows(modelled.data(), static_cast<std::size_t>(measured.size()), 1))};
       double sum = std::pow((s - 1.0) / kUsualShadingDeviation, 2) +
                    ((skin - objective.prior->mean) / objective.prior->deviation).square().sum();
       for (Eigen::Index k = 0; k < measured.size(); ++k) {
