@@ -132,7 +132,8 @@ class FreeSolverTest : public QObject {
     const auto people = test::crowd(*model, free, 1000);
     const auto solver = solverOf(*model, free, kUsual);
     const Found found(*solver, test::photographCrowd(*model, test::manyLightRig(), people, 0.005));
-    QVERIFY(std::ranges::all_of(found.states, [](std::uint8_t state) { return state == 0; }));
+    QVERIFY(std::ranges::all_of(found.states,
+                                [](PixelState state) { return state == PixelState::solved; }));
     for (int k = 0; k < static_cast<int>(solver->valueCount()); ++k) {
       int inside = 0;
       for (std::size_t i = 0; i < people.size(); ++i) {
