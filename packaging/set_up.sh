@@ -6,13 +6,14 @@ cutis_root="$(CDPATH="" cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)"
 cutis_program="${0##*/}"
 cd "$cutis_root" || exit 1
 
-# Debian 12 names. openimageio-tools also draws the contact sheet of start.sh, with DejaVu.
+# Debian 12 names. openimageio-tools also draws the contact sheet of start.sh, with DejaVu; a test
+# holds the layout of the sources against clang-format.
 cutis_packages=(
   g++ cmake ninja-build pkg-config ccache
   qt6-base-dev qt6-svg-dev
   libopenimageio-dev openimageio-tools libopencolorio-dev
   libeigen3-dev libtbb-dev libhwy-dev libcli11-dev nlohmann-json3-dev libxxhash-dev
-  libbenchmark-dev
+  libimath-dev zlib1g-dev libbenchmark-dev clang-format
   xvfb fonts-dejavu-core
 )
 

@@ -27,5 +27,5 @@ fi
 install_packages
 build all
 step "Running the tests"
-ctest --preset release --parallel 2 --no-tests=error "$@" ||
+ctest --preset release --parallel "$(nproc)" --no-tests=error "$@" ||
   fail "not every test passed (or none matched); the failures are listed above."

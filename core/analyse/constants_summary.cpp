@@ -11,7 +11,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::size_t kMostPixels = 16384;
+constexpr std::size_t kSummarisedPixels = 16384;
 
 double quantile(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
@@ -44,9 +44,9 @@ Result<std::vector<ConstantSummary>> summariseConstants(const Measurements& meas
                                                         const JobContext& context) {
   std::vector<ConstantSummary> summaries;
   if (solver.free().count() == 0) return summaries;
-  CUTIS_TRY(sample, samplePixels(measurements, &maps, kMostPixels, context));
-  if (sample.count() == 0) return summaries;
-  PixelBuffer<float> deviations(sample.values.rowCount(), sample.count());
+  CUTIS_TRY(sample, samplePixels(measurements, &maps, kSummarisedPixels, context));
+  if (sample.count == 0) return summaries;
+  PixelBuffer<float> deviations(sample.values.rowCount(), sample.count);
   solver.deviations(sample.channels.rows(), sample.values.rows(), deviations.rows());
   const FreePrior prior = usualFreePrior(profile);
   std::size_t row = kParameterCount;

@@ -28,22 +28,24 @@ double insideShare(PixelSample sample, double scale, const Rig& rig, const Pixel
     for (float& value : sample.channels[k])
       value *= static_cast<float>(scale);
   }
-  std::vector<PixelState> states(sample.count());
-  std::vector<std::uint16_t> iterations(sample.count());
+  std::vector<PixelState> states(sample.count);
+  std::vector<std::uint16_t> iterations(sample.count);
   solver.solve(sample.channels.rows(), sample.values.rows(), {states.data(), iterations.data()});
   const std::vector<double> differences = reconstructionDeltaE(rig, solver, sample);
   const auto inside = std::count_if(differences.begin(), differences.end(),
                                     [](double d) { return d <= kSameColorDeltaE; });
-  return static_cast<double>(inside) / static_cast<double>(sample.count());
+  return static_cast<double>(inside) / static_cast<double>(sample.count);
 }
 
 }  // namespace
 
 Result<ExposureChoice> chooseExposure(const Measurements& measurements, const PixelSolver& solver,
                                       const JobContext& context) {
-  CUTIS_TRY(sample, samplePixels(measurements, nullptr, kMostPixels, context));
-  if (sample.count() == 0) return ExposureChoice{};
-  sample.values = PixelBuffer<float>(solver.valueCount(), sample.count());
+  Measurements plain = measurements;  // planes are handles
+  plain.exposure = 1.0;
+  CUTIS_TRY(sample, samplePixels(plain, nullptr, kMostPixels, context));
+  if (sample.count == 0) return ExposureChoice{};
+  sample.values = PixelBuffer<float>(solver.valueCount(), sample.count);
   constexpr auto count = static_cast<std::size_t>(kBrightestStep - kDarkestStep + 1);
   std::vector<ExposureChoice> choices(count);
   CUTIS_CHECK(parallelFor(count, context, [&](std::size_t i) -> Status {

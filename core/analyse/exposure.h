@@ -18,7 +18,7 @@ struct ExposureChoice {
 // Among scales from an eighth to twice, six to an octave, the one that puts most of a few thousand
 // regularly sampled pixels inside the profile's gamut. Scales that differ by less than one pixel in
 // a hundred count as equal: of these, the one nearest to 1. Without pixels to solve it is 1.
-// `measurements` were read with exposure 1. Deterministic; about a second for the exact fit.
+// The measurements' own exposure does not count. Deterministic; about a second for the exact fit.
 Result<ExposureChoice> chooseExposure(const Measurements& measurements, const PixelSolver& solver,
                                       const JobContext& context);
 

@@ -8,7 +8,7 @@
 namespace cutis {
 namespace {
 
-constexpr std::size_t kMostPixels = 65536;
+constexpr std::size_t kGamutPixels = 65536;
 constexpr double kMostDeviations = 3.0;
 
 GamutStatistics byColor(const Rig& rig, const PixelSolver& solver, const PixelSample& sample) {
@@ -18,7 +18,7 @@ GamutStatistics byColor(const Rig& rig, const PixelSolver& solver, const PixelSa
   });
   GamutStatistics gamut;
   gamut.outsideShare =
-      static_cast<double>(differences.end() - inside) / static_cast<double>(sample.count());
+      static_cast<double>(differences.end() - inside) / static_cast<double>(sample.count);
   if (inside == differences.begin()) return gamut;
   const auto middle = differences.begin() + (inside - differences.begin()) / 2;
   std::nth_element(differences.begin(), middle, inside);
@@ -28,10 +28,10 @@ GamutStatistics byColor(const Rig& rig, const PixelSolver& solver, const PixelSa
 
 GamutStatistics byNoise(const NoiseModel& noise, std::size_t channelCount,
                         const PixelSolver& solver, const PixelSample& sample) {
-  PixelBuffer<float> residuals(sample.channels.rowCount(), sample.count());
+  PixelBuffer<float> residuals(sample.channels.rowCount(), sample.count);
   solver.residuals(sample.channels.rows(), sample.values.rows(), residuals.rows());
   std::size_t outside = 0;
-  for (std::size_t i = 0; i < sample.count(); ++i) {
+  for (std::size_t i = 0; i < sample.count; ++i) {
     double sum = 0.0;
     for (std::size_t k = 0; k < channelCount; ++k) {
       const double deviation = std::sqrt(noise.variance(double{sample.channels[k][i]}));
@@ -40,7 +40,7 @@ GamutStatistics byNoise(const NoiseModel& noise, std::size_t channelCount,
     }
     if (!(std::sqrt(sum / static_cast<double>(channelCount)) <= kMostDeviations)) ++outside;
   }
-  return {static_cast<double>(outside) / static_cast<double>(sample.count()), std::nullopt};
+  return {static_cast<double>(outside) / static_cast<double>(sample.count), std::nullopt};
 }
 
 }  // namespace
@@ -49,8 +49,8 @@ Result<GamutStatistics> measureGamut(const Measurements& measurements, const Chr
                                      const PixelSolver& solver,
                                      const std::optional<NoiseModel>& noise,
                                      const JobContext& context) {
-  CUTIS_TRY(sample, samplePixels(measurements, &maps, kMostPixels, context));
-  if (sample.count() == 0) return GamutStatistics{};
+  CUTIS_TRY(sample, samplePixels(measurements, &maps, kGamutPixels, context));
+  if (sample.count == 0) return GamutStatistics{};
   const Rig& rig = measurements.rig;
   if (seesColors(rig)) return byColor(rig, solver, sample);
   NoiseModel assumed = noise.value_or(rig.noise);

@@ -1,10 +1,11 @@
-#pragma once
+#pragma once  // internal to core/analyse
 
 // What a rig can tell apart: how far a measurement narrows what is known of a person's skin.
 //
 // For each person the posterior covariance C = (Jᵀ Σ⁻¹ J + P⁻¹)⁻¹ of the coordinates (logarithms
 // where the prior has them), J the channels' derivatives, Σ the noise, P the prior's covariance;
-// and what it leaves open of the spectrum, diag(G C Gᵀ) (FITTING.md, error protocol). Thread-safe.
+// and what it leaves open of the spectrum, diag(G C Gᵀ) (error protocol,
+// resources/manual/accuracy.md). Thread-safe.
 
 #include <array>
 #include <span>

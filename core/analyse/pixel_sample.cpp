@@ -49,42 +49,56 @@ PixelBuffer<float> transposed(const std::vector<float>& pixels, std::size_t rows
   return result;
 }
 
-}  // namespace
-
-Result<PixelSample> samplePixels(const Measurements& measurements, const ChromophoreMaps* maps,
-                                 std::size_t most, const JobContext& context) {
-  const int step = stepFor(measurements.width(), measurements.height(), most);
-  Rows channels(measurements.channels);
-  Rows parameters(maps == nullptr ? std::vector<Plane>() : maps->planes());
-  Rows state({maps == nullptr ? measurements.state : maps->state});
+// exposure: a factor on the channels.
+Result<PixelSample> sampleOf(const std::vector<Plane>& channelPlanes, float exposure,
+                             const std::vector<Plane>& valuePlanes, const Plane& statePlane,
+                             std::size_t most, const JobContext& context) {
+  const int width = statePlane.width(), height = statePlane.height();
+  const int step = stepFor(width, height, most);
+  Rows channels(channelPlanes), parameters(valuePlanes), state({statePlane});
+  PixelSample sample;
   std::vector<float> seen, known;
-  for (int y = 0; y < measurements.height(); y += step) {
+  for (int y = 0; y < height; y += step) {
     if (context.stopRequested()) return Cancelled{};
     CUTIS_CHECK(state.load(y));
     CUTIS_CHECK(channels.load(y));
     CUTIS_CHECK(parameters.load(y));
-    for (int column = 0; column < measurements.width(); column += step) {
+    for (int column = 0; column < width; column += step) {
       const auto x = static_cast<std::size_t>(column);
       if (!hasEstimate(pixelState(state.at(0, x)))) continue;
+      ++sample.count;
       for (std::size_t k = 0; k < channels.count(); ++k)
-        seen.push_back(channels.at(k, x));
+        seen.push_back(channels.at(k, x) * exposure);
       for (std::size_t k = 0; k < parameters.count(); ++k)
         known.push_back(parameters.at(k, x));
     }
   }
-  PixelSample sample;
   sample.channels = transposed(seen, channels.count());
   sample.values = transposed(known, parameters.count());
   return sample;
 }
 
+}  // namespace
+
+Result<PixelSample> samplePixels(const Measurements& measurements, const ChromophoreMaps* maps,
+                                 std::size_t most, const JobContext& context) {
+  return sampleOf(measurements.channels, static_cast<float>(measurements.exposure),
+                  maps == nullptr ? std::vector<Plane>() : maps->planes(),
+                  maps == nullptr ? measurements.state : maps->state, most, context);
+}
+
+Result<PixelSample> sampleMaps(const ChromophoreMaps& maps, std::size_t most,
+                               const JobContext& context) {
+  return sampleOf({}, 1.0f, maps.planes(), maps.state, most, context);
+}
+
 std::vector<double> reconstructionDeltaE(const Rig& rig, const PixelSolver& solver,
                                          const PixelSample& sample) {
   const Eigen::Vector3d white = whitePoint(rig.lights.front().power, rig.camera.sensor);
-  PixelBuffer<float> residuals(sample.channels.rowCount(), sample.count());
+  PixelBuffer<float> residuals(sample.channels.rowCount(), sample.count);
   solver.residuals(sample.channels.rows(), sample.values.rows(), residuals.rows());
-  std::vector<double> differences(sample.count());
-  for (std::size_t i = 0; i < sample.count(); ++i) {
+  std::vector<double> differences(sample.count);
+  for (std::size_t i = 0; i < sample.count; ++i) {
     Eigen::Vector3d measured, modelled;
     for (int c = 0; c < 3; ++c) {
       const auto k = static_cast<std::size_t>(c);

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/analyse
 
 // A regular sample of the pixels of a picture that can be solved, and how well a model explains
 // them.
@@ -15,16 +15,18 @@
 namespace cutis {
 
 struct PixelSample {
-  // As in core/fit/pixel_solver.h.
-  PixelBuffer<float> channels, values;
-
-  std::size_t count() const { return channels.count(); }
+  std::size_t count = 0;
+  PixelBuffer<float> channels, values;  // as in core/fit/pixel_solver.h
 };
 
 // Every n-th pixel of every n-th row, the least n that takes at most `most` pixels; only those that
 // can be solved. Values are those of `maps`; without maps there are none.
 Result<PixelSample> samplePixels(const Measurements& measurements, const ChromophoreMaps* maps,
                                  std::size_t most, const JobContext& context);
+
+// The same of maps alone: channels are empty.
+Result<PixelSample> sampleMaps(const ChromophoreMaps& maps, std::size_t most,
+                               const JobContext& context);
 
 // ΔE2000 between each pixel's measurement and its model, for a rig with an observer and one light.
 std::vector<double> reconstructionDeltaE(const Rig& rig, const PixelSolver& solver,

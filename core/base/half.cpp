@@ -1,39 +1,22 @@
 #include "core/base/half.h"
 
-#include <bit>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
+
+// The functions alone; the tables would have to be linked.
+#define IMATH_HALF_NO_LOOKUP_TABLE
+#include <Imath/half.h>
 
 namespace cutis {
 namespace {
 
-float floatFromHalf(std::uint16_t half) {
-  const std::uint32_t sign = (half & 0x8000u) << 16;
-  const std::uint32_t exponent = (half >> 10) & 0x1fu;
-  const std::uint32_t mantissa = half & 0x3ffu;
-  if (exponent == 0x1f) return std::bit_cast<float>(sign | 0x7f800000u | (mantissa << 13));
-  if (exponent == 0) {
-    // Subnormal: the mantissa counts steps of 2^-24.
-    const float magnitude = static_cast<float>(mantissa) * 0x1p-24f;
-    return sign != 0 ? -magnitude : magnitude;
-  }
-  return std::bit_cast<float>(sign | ((exponent + 112u) << 23) | (mantissa << 13));
-}
-
+// Highway's conversion is not exact where a processor has none of its own: it cuts off what it
+// should round, and makes numbers of infinities.
 std::uint16_t halfFromFloat(float value) {
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value);
-  const auto sign = static_cast<std::uint16_t>((bits >> 16) & 0x8000u);
-  const std::uint32_t magnitude = bits & 0x7fffffffu;
-  if (magnitude > 0x7f800000u) return static_cast<std::uint16_t>(sign | 0x7e00u);
-  if (magnitude >= 0x477ff000u) return static_cast<std::uint16_t>(sign | 0x7c00u);
-  if (magnitude < 0x38800000u) {
-    // Subnormal result: adding 0.5 lines the half's mantissa up with the float's last bits, and
-    // the addition itself rounds to nearest even.
-    const float shifted = std::bit_cast<float>(magnitude) + 0.5f;
-    return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(shifted) - 0x3f000000u));
-  }
-  const std::uint32_t rounded = magnitude + 0xfffu + ((magnitude >> 13) & 1u) - (112u << 23);
-  return static_cast<std::uint16_t>(sign | (rounded >> 13));
+  // Imath keeps a part of what a NaN carries; here all are one, so that files do not depend on it.
+  if (std::isnan(value)) return std::signbit(value) ? 0xfe00 : 0x7e00;
+  return imath_float_to_half(value);
 }
 
 }  // namespace
@@ -41,7 +24,7 @@ std::uint16_t halfFromFloat(float value) {
 void convertHalfToFloat(std::span<const std::uint16_t> from, std::span<float> to) {
   assert(from.size() == to.size());
   for (std::size_t i = 0; i < from.size(); ++i)
-    to[i] = floatFromHalf(from[i]);
+    to[i] = imath_half_to_float(from[i]);
 }
 
 void convertFloatToHalf(std::span<const float> from, std::span<std::uint16_t> to) {

@@ -1,7 +1,8 @@
 #pragma once
 
 // IEEE 754 binary16 in memory, float in arithmetic. Conversion rounds to nearest even; values
-// beyond ±65504 become infinite; NaN stays NaN. Thread-safe.
+// beyond ±65504 become infinite; NaN stays NaN, and is the
+// same one with either sign whatever it was. Thread-safe.
 
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/base
 
 // Progress that composes by fractions.
 //

@@ -1,11 +1,12 @@
 #pragma once
 
+// Rectangles of pixels: half-open, [x0, x1) × [y0, y1), with y growing downwards.
+
 #include <algorithm>
 #include <cstddef>
 
 namespace cutis {
 
-// Pixels [x0, x1) × [y0, y1); y grows downwards.
 struct Rect {
   int x0 = 0;
   int y0 = 0;

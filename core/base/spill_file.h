@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/base
 
 // A temporary file that nobody else sees and that vanishes with the process, even after a crash.
 // Holds tiles that do not fit the memory budget. Thread-safe.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/calibrate
 
 // The people of a calibration: whom the spectra are of, at one choice of constants. The inner part
 // of core/calibrate/calibration.cpp.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/calibrate
 
 // The part of a set of spectra that people are fitted to.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/calibrate
 
 // The model of one choice of constants, at the wavelengths of a calibration alone: the inner part
 // of core/calibrate/calibration.cpp.

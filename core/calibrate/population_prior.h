@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/calibrate
 
 // What a population is like, from spectra of its members: the prior of a profile.
 //

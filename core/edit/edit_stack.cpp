@@ -7,10 +7,6 @@
 namespace cutis {
 namespace {
 
-bool scalesByIndex(Parameter parameter) {
-  return parameter == kHaemoglobinDermal || parameter == kHaemoglobinEpidermal;
-}
-
 // Opacity times mask per pixel; empty if it is 1 everywhere.
 Result<std::vector<float>> weightsOf(const Edit& edit, const Rect& rect, int step,
                                      std::size_t count) {
@@ -32,12 +28,12 @@ Result<std::vector<float>> weightsOf(const Edit& edit, const Rect& rect, int ste
 }
 
 void applyTo(std::span<float> values, const std::vector<bool>& present,
-             const std::vector<float>& weights, const ParameterEdit& edit, Parameter parameter,
+             const std::vector<float>& weights, const ParameterEdit& edit, EditLaw law,
              const ParameterAxis& axis) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!present[i]) continue;
     const double original = values[i];
-    const double edited = editedValue(edit, parameter, axis, original);
+    const double edited = editedValue(edit, law, axis, original);
     const double weight = weights.empty() ? 1.0 : double{weights[i]};
     values[i] = static_cast<float>(original + weight * (edited - original));
   }
@@ -51,10 +47,14 @@ bool Edit::isNeutral() const {
                      [](const ParameterEdit& edit) { return edit.isNeutral(); });
 }
 
-double editedValue(const ParameterEdit& edit, Parameter parameter, const ParameterAxis& axis,
+bool isNeutral(const EditStack& edits) {
+  return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return edit.isNeutral(); });
+}
+
+double editedValue(const ParameterEdit& edit, EditLaw law, const ParameterAxis& axis,
                    double value) {
   if (edit.set) return axis.clamp(*edit.set);
-  const double share = scalesByIndex(parameter) ? axis.index(value) / (axis.samples - 1) : 1.0;
+  const double share = law == EditLaw::byIndex ? axis.index(value) / (axis.samples - 1) : 1.0;
   return axis.clamp(value * (1.0 + (edit.scale - 1.0) * share) + edit.add);
 }
 
@@ -66,7 +66,8 @@ Status applyEdits(const EditStack& edits, const ParameterAxes& axes, const Rect&
     for (const Parameter parameter : kParameters) {
       const auto k = static_cast<std::size_t>(parameter);
       if (edit.parameters[k].isNeutral()) continue;
-      applyTo(buffer.values[k], buffer.present, weights, edit.parameters[k], parameter, axes[k]);
+      applyTo(buffer.values[k], buffer.present, weights, edit.parameters[k],
+              chromophoreTable()[k].editLaw, axes[k]);
     }
   }
   return {};

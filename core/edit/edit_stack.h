@@ -12,15 +12,14 @@
 
 #include "core/base/plane.h"
 #include "core/skin/parameter_buffer.h"
+#include "core/skin/profile/chromophore_table.h"
 #include "core/skin/profile/parameter_axis.h"
 
 namespace cutis {
 
 // value → set, if given, else scaled + add.
 //
-// Melanin, blend and carotene scale linearly, C · s. The haemoglobins scale by their index on the
-// table's axis (paper, §4.3): C · (1 + (s − 1) · i/N), so that the local variation of blood is
-// accentuated.
+// What a factor makes of a value is the parameter's law of editing (EditLaw).
 struct ParameterEdit {
   double scale = 1.0;  // not negative
   double add = 0.0;    // in the parameter's unit
@@ -43,9 +42,11 @@ struct Edit {
 
 using EditStack = std::vector<Edit>;
 
-// The edited value of one pixel's parameter, clamped to the axis.
-double editedValue(const ParameterEdit& edit, Parameter parameter, const ParameterAxis& axis,
-                   double value);
+// Whether the edited maps are the original ones.
+bool isNeutral(const EditStack& edits);
+
+// The edited value of one parameter, of the table or further, clamped to the axis.
+double editedValue(const ParameterEdit& edit, EditLaw law, const ParameterAxis& axis, double value);
 
 // Edits the pixels of a buffer that was loaded from `rect` with `step` (see loadParameters).
 Status applyEdits(const EditStack& edits, const ParameterAxes& axes, const Rect& rect, int step,

@@ -13,7 +13,7 @@ namespace {
 
 using ParameterColumns = Eigen::Matrix<double, Eigen::Dynamic, kParameterCount>;
 
-constexpr std::size_t kBatch = 16;
+constexpr std::size_t kPeopleAtOnce = 16;
 
 // Mean of diag(G C Gᵀ).
 double meanVariance(const ParameterColumns& g, const ParameterMatrix& covariance,
@@ -49,19 +49,20 @@ Result<std::vector<ErrorBound>> errorBounds(const SkinModel& model, const Rig& r
   const Eigen::MatrixXd rows = responseRows(rig).matrix();
   std::vector<ErrorBound> each(people.size() * noises.size());
   CUTIS_CHECK(
-      parallelFor((people.size() + kBatch - 1) / kBatch, context, [&](std::size_t piece) -> Status {
-        const std::size_t end = std::min(people.size(), (piece + 1) * kBatch);
-        for (std::size_t i = piece * kBatch; i < end; ++i) {
-          SpectrumJacobian derivatives;
-          const Spectrum reflectance = model.reflectance(people[i], derivatives);
-          const ParameterColumns g = derivatives.matrix();
-          const ParameterColumns j = rows * g;
-          const Eigen::VectorXd channels = rows * reflectance.matrix();
-          for (std::size_t n = 0; n < noises.size(); ++n)
-            each[i * noises.size() + n] = boundOf(channels, j, g, prior, noises[n]);
-        }
-        return {};
-      }));
+      parallelFor((people.size() + kPeopleAtOnce - 1) / kPeopleAtOnce, context,
+                  [&](std::size_t piece) -> Status {
+                    const std::size_t end = std::min(people.size(), (piece + 1) * kPeopleAtOnce);
+                    for (std::size_t i = piece * kPeopleAtOnce; i < end; ++i) {
+                      SpectrumJacobian derivatives;
+                      const Spectrum reflectance = model.reflectance(people[i], derivatives);
+                      const ParameterColumns g = derivatives.matrix();
+                      const ParameterColumns j = rows * g;
+                      const Eigen::VectorXd channels = rows * reflectance.matrix();
+                      for (std::size_t n = 0; n < noises.size(); ++n)
+                        each[i * noises.size() + n] = boundOf(channels, j, g, prior, noises[n]);
+                    }
+                    return {};
+                  }));
   std::vector<ErrorBound> means(noises.size());
   const auto count = static_cast<double>(people.size());
   for (std::size_t i = 0; i < each.size(); ++i) {

@@ -6,8 +6,8 @@
 //   mean over the people of diag(G C Gᵀ) over the band,  C = (Jᵀ Σ⁻¹ J + P⁻¹)⁻¹,
 //
 // J and G the Jacobians of channels and spectrum, Σ the noise, P diagonal with the prior's
-// variances (FITTING.md). The box the parameters live in adds information that the bound does not
-// count, so that a fit may come out a little below it.
+// variances (resources/manual/accuracy.md). The box the parameters live in adds information that
+// the bound does not count, so that a fit may come out a little below it.
 
 #include <span>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
-// How far estimated skin is from the true one: spectra first, then colours, then parameters
-// (FITTING.md, error protocol). Errors of reflectance are absolute, perfect diffuser = 1; NaN in an
-// estimate makes that pixel's errors NaN. Thread-safe: const after construction.
+// How far estimated skin is from the true one: spectra first, then colours, then parameters (error
+// protocol, resources/manual/accuracy.md). Errors of reflectance are absolute, perfect diffuser =
+// 1; NaN in an estimate makes that pixel's errors NaN. Thread-safe: const after construction.
 
 #include <array>
 #include <cstddef>

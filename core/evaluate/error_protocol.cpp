@@ -16,7 +16,7 @@ namespace cutis {
 namespace {
 
 // People evaluated at once: their spectra stay in the cache.
-constexpr std::size_t kBatch = 128;
+constexpr std::size_t kPixelsAtOnce = 128;
 
 std::vector<int> allSamples() {
   std::vector<int> samples(kSampleCount);
@@ -77,10 +77,10 @@ Result<ProtocolPixels> ProtocolPixels::create(const SkinModel& model, const Rig&
   pixels.exact_.resize(pixels.channelCount_ * pixels.count());
   Eigen::Map<Matrix> exact(pixels.exact_.data(), rows.rows(),
                            static_cast<Eigen::Index>(pixels.count()));
-  const std::size_t batches = (pixels.count() + kBatch - 1) / kBatch;
+  const std::size_t batches = (pixels.count() + kPixelsAtOnce - 1) / kPixelsAtOnce;
   CUTIS_CHECK(parallelFor(batches, context, [&](std::size_t i) -> Status {
-    const std::size_t first = i * kBatch;
-    const std::size_t count = std::min(kBatch, pixels.count() - first);
+    const std::size_t first = i * kPixelsAtOnce;
+    const std::size_t count = std::min(kPixelsAtOnce, pixels.count() - first);
     std::vector<double> reflectance;
     spectra.evaluate(std::span(pixels.people_).subspan(first, count), reflectance);
     const Eigen::Map<const Matrix> spectraHere(reflectance.data(), kSampleCount,

@@ -1,7 +1,8 @@
 #pragma once
 
-// Pixels of the error protocol, FITTING.md (the paper's Table 1, made reproducible): people drawn
-// at random, their exact spectra, their channels through a rig, and noise.
+// Pixels of the error protocol of resources/manual/accuracy.md (the paper's Table 1, made
+// reproducible): people drawn at random, their exact spectra, their channels through a rig, and
+// noise.
 //
 // Everything is deterministic by its seed, for any number of threads. Thread-safe.
 

@@ -9,9 +9,6 @@ namespace {
 
 constexpr double kNodeTolerance = 1e-5;
 constexpr double kExactNodeTolerance = 1e-6;
-// The least noise that is assumed: stands in for "none" where none is asked for, and for read noise
-// in channels that are all but black, whose proportional noise would be nothing.
-constexpr double kExactNoise = 1e-6;
 // The same where there are fewer channels than parameters: the prior then decides along a curved
 // valley, which the fit can only follow if it is not all too narrow. Channels are met to a small
 // part of this.

@@ -10,6 +10,12 @@
 
 namespace cutis {
 
+// The least noise that is assumed, a standard deviation of a channel: stands in for "none" where
+// none is asked for, and for read noise in channels that are all but black, whose proportional
+// noise would be nothing. A sixteenth of what a 16-bit image resolves, and not less, because a
+// float carries seven digits: below, the pass in float would follow its own rounding.
+inline constexpr double kExactNoise = 1e-6;
+
 // Whether no noise is to be assumed (the exact setting).
 bool asksForExact(const Rig& rig, const FitOptions& options);
 

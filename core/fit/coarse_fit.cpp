@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -32,10 +33,12 @@ struct BlockGrid {
   }
 };
 
-Status loadFirstPixels(const Plane& plane, const BlockGrid& grid, std::vector<float>& values) {
+// Appends the first pixel of each block; load(rect, values) reads a row of the tile.
+template <typename Load>
+Status loadFirstPixels(const Load& load, const BlockGrid& grid, std::vector<float>& values) {
   std::vector<float> line(static_cast<std::size_t>(grid.rect.width()));
   for (int y = grid.rect.y0; y < grid.rect.y1; y += kCoarseBlock) {
-    CUTIS_CHECK(plane.load({grid.rect.x0, y, grid.rect.x1, y + 1}, line));
+    CUTIS_CHECK(load(Rect{grid.rect.x0, y, grid.rect.x1, y + 1}, line));
     for (std::size_t c = 0; c < grid.columns; ++c)
       values.push_back(line[c * kCoarseBlock]);
   }
@@ -51,11 +54,17 @@ struct BlockValues {
 Result<BlockValues> solveBlocks(const Measurements& measurements, const PixelSolver& solver,
                                 const BlockGrid& grid) {
   std::vector<float> states, loaded;
-  CUTIS_CHECK(loadFirstPixels(measurements.state, grid, states));
-  for (const Plane& plane : measurements.channels) {
-    CUTIS_CHECK(loadFirstPixels(plane, grid, loaded));
-  }
+  const auto loadState = [&](const Rect& rect, std::span<float> row) {
+    return measurements.state.load(rect, row);
+  };
+  CUTIS_CHECK(loadFirstPixels(loadState, grid, states));
   const std::size_t channelCount = measurements.channels.size();
+  for (std::size_t k = 0; k < channelCount; ++k) {
+    const auto loadChannel = [&](const Rect& rect, std::span<float> row) {
+      return measurements.loadChannel(k, rect, row);
+    };
+    CUTIS_CHECK(loadFirstPixels(loadChannel, grid, loaded));
+  }
   std::vector<std::size_t> blocks;
   std::vector<float> pixel(channelCount);
   for (std::size_t b = 0; b < grid.count(); ++b) {
@@ -108,15 +117,12 @@ Status fillTile(const Measurements& measurements, const BlockGrid& grid, const B
 }  // namespace
 
 Status runCoarseFit(const Measurements& measurements, const PixelSolver& solver,
-                    ChromophoreMaps maps, const JobContext& context,
-                    const std::function<void(const Rect&)>& finished) {
+                    ChromophoreMaps maps, const JobContext& context) {
   const auto tileCount = static_cast<std::size_t>(maps.state.tileCount());
   return parallelFor(tileCount, context, [&](std::size_t i) -> Status {
     const BlockGrid grid(maps.state.tileRect(static_cast<int>(i)));
     CUTIS_TRY(values, solveBlocks(measurements, solver, grid));
-    CUTIS_CHECK(fillTile(measurements, grid, values, maps));
-    if (finished) finished(grid.rect);
-    return {};
+    return fillTile(measurements, grid, values, maps);
   });
 }
 

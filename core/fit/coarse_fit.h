@@ -2,10 +2,7 @@
 
 // A first impression of the maps, long before the fit is complete.
 
-#include <functional>
-
 #include "core/base/job_context.h"
-#include "core/base/rect.h"
 #include "core/base/result.h"
 #include "core/fit/pixel_solver.h"
 #include "core/rig/measurements.h"
@@ -18,10 +15,9 @@ inline constexpr int kCoarseBlock = 16;
 
 // Solves the upper left pixel of each block and gives its values to all pixels of the block that
 // are there to be solved; blocks whose pixel is not stay empty. maps: of the size of the
-// measurements, as runFit() will fill them. `finished` is called from any thread with each
-// rectangle done. About a hundredth of the cost of the fit. Cancelled if asked to stop.
+// measurements, as runFit() will fill them. About a hundredth of the cost of the fit. Cancelled if
+// asked to stop.
 Status runCoarseFit(const Measurements& measurements, const PixelSolver& solver,
-                    ChromophoreMaps maps, const JobContext& context,
-                    const std::function<void(const Rect&)>& finished = {});
+                    ChromophoreMaps maps, const JobContext& context);
 
 }  // namespace cutis

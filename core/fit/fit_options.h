@@ -1,5 +1,7 @@
 #pragma once
 
+// What a caller asks of a fit, whatever the method. Fields that only one method knows say so.
+
 #include <array>
 #include <memory>
 #include <optional>

@@ -14,7 +14,7 @@ namespace cutis {
 namespace {
 
 // Pixels handed to the solver between two looks at the stop token.
-constexpr std::size_t kBatch = 256;
+constexpr std::size_t kRunBatch = 256;
 constexpr int kResidualStep = 8;
 
 struct TileResult {
@@ -41,9 +41,9 @@ class TileFit {
     collect();
     const PixelGrouping grouping = groupEqualPixels(channels_.rows(), pixels_);
     Solutions solutions = gather(grouping);
-    for (std::size_t begin = 0; begin < solutions.count(); begin += kBatch) {
+    for (std::size_t begin = 0; begin < solutions.count(); begin += kRunBatch) {
       if (context.stopRequested()) return Cancelled{};
-      solutions.solve(solver_, begin, std::min(kBatch, solutions.count() - begin));
+      solutions.solve(solver_, begin, std::min(kRunBatch, solutions.count() - begin));
     }
     count(grouping, solutions);
     sampleResiduals(grouping, solutions);
@@ -74,7 +74,7 @@ class TileFit {
 
   Status load() {
     for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
-      CUTIS_CHECK(measurements_.channels[k].load(rect_, channels_[k]));
+      CUTIS_CHECK(measurements_.loadChannel(k, rect_, channels_[k]));
     }
     return measurements_.state.load(rect_, states_);
   }

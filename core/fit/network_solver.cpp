@@ -66,14 +66,6 @@ class NetworkSolver final : public PixelSolver {
 
 }  // namespace
 
-std::string trainingCommand(const Profile& profile, const Rig& rig) {
-  std::string lights;
-  for (const RigLight& light : rig.lights)
-    lights += (lights.empty() ? "" : ",") + light.name;
-  return "cutis-cli train --rig " + (rig.file.empty() ? rig.name : rig.file) + " --lights " +
-         lights + " --profile " + profile.name + " -o WEIGHTS.json";
-}
-
 Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Profile& profile,
                                      const Rig& rig, const std::string& place) {
   const bool profileMatches = alike(network.profile, signatureOf(profile));
@@ -83,8 +75,7 @@ Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Pr
       place,
       "the network was trained for " +
           (profileMatches ? "other lights or another camera than those of rig '" + rig.name + "'"
-                          : "another profile than '" + profile.name + "'") +
-          "; train one with " + trainingCommand(profile, rig));
+                          : "another profile than '" + profile.name + "'"));
 }
 
 std::unique_ptr<const PixelSolver> makeNetworkSolver(

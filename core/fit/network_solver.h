@@ -15,12 +15,9 @@ namespace cutis {
 
 // Whether the network was trained for channels of this rig, all or the paper's five, and for this
 // profile; rounding apart. Returns the channels it takes. `place` stands in front of the error,
-// which tells the command that trains one.
+// which says what it was trained for and leaves to the caller what to do.
 Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Profile& profile,
                                      const Rig& rig, const std::string& place);
-
-// "cutis-cli train --rig … -o WEIGHTS.json", for messages.
-std::string trainingCommand(const Profile& profile, const Rig& rig);
 
 // channels: those that matchNetwork() found; photographed: their rows. Precondition: the network
 // passed validate().

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit
 
 // Finds equal pixels, so that each is solved once: 8-bit textures repeat their colours heavily.
 

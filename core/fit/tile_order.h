@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit
 
 // Which tile of a picture is solved next: the one nearest to what somebody looks at.
 

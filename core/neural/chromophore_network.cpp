@@ -79,7 +79,7 @@ DenseLayer whitening(const MatrixXd& logInputs) {
   return linearLayer(matrix, -matrix * mean.transpose());
 }
 
-TrainingSet makeSet(const Photographs& photographs, const DenseLayer& white) {
+TrainingSet examplesOf(const Photographs& photographs, const DenseLayer& white) {
   TrainingSet set;
   set.inputs = white.outputs;
   set.outputs = static_cast<int>(photographs.targets.cols());
@@ -95,7 +95,7 @@ TrainingSet makeSet(const Photographs& photographs, const DenseLayer& white) {
   return set;
 }
 
-DenseNetwork freshNetwork(int inputs, const ChromophoreNetworkOptions& options) {
+DenseNetwork freshChromophoreNetwork(int inputs, const ChromophoreNetworkOptions& options) {
   std::vector<int> sizes = {inputs};
   sizes.insert(sizes.end(), options.hidden.begin(), options.hidden.end());
   sizes.push_back(kParameterCount);
@@ -167,10 +167,10 @@ Result<ChromophoreNetwork> trainChromophoreNetwork(const SkinModel& model,
   CUTIS_TRY(photographs,
             takePhotographs(model, channels, spectra, options, context.child(0.0, 0.1)));
   const DenseLayer white = whitening(photographs.logInputs);
-  const TrainingSet set = makeSet(photographs, white);
+  const TrainingSet set = examplesOf(photographs, white);
   const std::size_t trained = options.hidden.size() + 1;
-  CUTIS_CHECK(
-      beginTraining(joined(freshNetwork(channels.inputCount(), options), judge), "ChromNN", state));
+  CUTIS_CHECK(beginTraining(joined(freshChromophoreNetwork(channels.inputCount(), options), judge),
+                            "ChromNN", state));
   if (!endsIn(state.network, judge) || !endsIn(state.best, judge)) {
     return inputError("ChromNN",
                       "the state of training has another SpectraNN; start anew without it");

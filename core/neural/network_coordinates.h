@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural
 
 // How networks see parameters: each as its position on the profile's table axis, from 0 to 1,
 //

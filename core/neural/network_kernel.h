@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural
 
 // Vectorised passes through networks for many pixels: the inner part of
 // core/neural/network_pipeline.cpp. Plain data.

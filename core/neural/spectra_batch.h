@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural
 
 // Whole spectra of many people at once, for training: at all 351 samples of the grid, in single
 // precision (core/skin/model/reflectance_batch.h: within 2e-6 of SkinModel).

@@ -24,8 +24,8 @@ Eigen::VectorXd weightUnits(const SpectraBasis& basis, int components) {
   return basis.variances.head(components).cwiseMax(1e-20).cwiseSqrt();
 }
 
-Result<TrainingSet> makeSet(const SkinModel& model, const SpectraBasis& basis, int components,
-                            const SpectraNetworkOptions& options, const JobContext& context) {
+Result<TrainingSet> sampledSet(const SkinModel& model, const SpectraBasis& basis, int components,
+                               const SpectraNetworkOptions& options, const JobContext& context) {
   const ParameterAxes& axes = model.profile().axes;
   const std::vector<ParameterVector> people = drawTrainingPeople(options.people, axes);
   const Eigen::VectorXd units = weightUnits(basis, components);
@@ -60,7 +60,7 @@ Result<TrainingSet> makeSet(const SkinModel& model, const SpectraBasis& basis, i
   return set;
 }
 
-DenseNetwork freshNetwork(int components, const SpectraNetworkOptions& options) {
+DenseNetwork freshSpectraNetwork(int components, const SpectraNetworkOptions& options) {
   std::vector<int> sizes = {kParameterCount};
   sizes.insert(sizes.end(), options.hidden.begin(), options.hidden.end());
   sizes.push_back(components);
@@ -122,8 +122,8 @@ Result<SpectraNetwork> trainSpectraNetwork(const SkinModel& model, const Spectra
     return inputError("SpectraNN", "the number of components must be from 1 to " +
                                        std::to_string(kMaximumComponents));
   }
-  CUTIS_TRY(set, makeSet(model, basis, components, options, context.child(0.0, 0.1)));
-  CUTIS_CHECK(beginTraining(freshNetwork(components, options), "SpectraNN", state));
+  CUTIS_TRY(set, sampledSet(model, basis, components, options, context.child(0.0, 0.1)));
+  CUTIS_CHECK(beginTraining(freshSpectraNetwork(components, options), "SpectraNN", state));
   CUTIS_CHECK(trainNetwork(set, {}, options.trainer, state, context.child(0.1, 1.0), onEpoch));
 
   SpectraNetwork result;

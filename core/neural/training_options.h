@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural
 
 // What the trainings of both networks have in common, checked in one place.
 

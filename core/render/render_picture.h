@@ -1,15 +1,16 @@
 #pragma once
 
-// Maps, edited and seen under a light: whole pictures for files, parts of them for the screen.
+// Edited skin seen under a light: whole pictures for files, parts of them for the screen.
+//
+// Thread-safe: pure functions. Maps are finite (src/images/maps/maps_file.h sees to that).
 
+#include <memory>
 #include <vector>
 
 #include "core/base/job_context.h"
 #include "core/base/plane.h"
 #include "core/base/result.h"
-#include "core/edit/edit_stack.h"
-#include "core/skin/chromophore_maps.h"
-#include "core/skin/model/skin_model.h"
+#include "core/render/edited_skin.h"
 #include "core/skin/response_model.h"
 
 namespace cutis {
@@ -24,36 +25,30 @@ struct PictureBuffer {
 };
 
 // Every step-th pixel of every step-th row of rect. Cost: about 30 ns per pixel on one core.
-Result<PictureBuffer> renderPart(const ChromophoreMaps& maps, const EditStack& edits,
-                                 const ParameterAxes& axes, const ResponseModel& picture,
+// Precondition, here and below: the response has the free constants of the skin.
+Result<PictureBuffer> renderPart(const EditedSkin& skin, const ResponseModel& response,
                                  const Rect& rect, int step);
 
+// A map with the edits applied, as a picture of one channel.
+Result<PictureBuffer> mapPart(const EditedSkin& skin, Parameter parameter, const Rect& rect,
+                              int step);
+
 // The whole picture, one plane per row of the response model.
-Result<std::vector<Plane>> renderPicture(const ChromophoreMaps& maps, const EditStack& edits,
-                                         const ParameterAxes& axes, const ResponseModel& picture,
+Result<std::vector<Plane>> renderPicture(const EditedSkin& skin, const ResponseModel& response,
                                          const std::shared_ptr<TileStore>& store,
                                          const JobContext& context);
 
 // The maps with the edits applied; states and constants are as they were.
-Result<ChromophoreMaps> editMaps(const ChromophoreMaps& maps, const EditStack& edits,
-                                 const ParameterAxes& axes, const std::shared_ptr<TileStore>& store,
+Result<ChromophoreMaps> editMaps(const EditedSkin& skin, const std::shared_ptr<TileStore>& store,
                                  const JobContext& context);
 
 // Edited albedo: source × model edited ÷ model original, channel by channel in linear Rec.709, so
 // that hair, pores and make-up survive; pixels without an estimate keep the source. With `pure` the
 // edited model alone replaces the source where there is an estimate. Pixels that the edits leave
-// alone keep the source to the last bit. albedo: the picture under D65. source: three channels,
+// alone keep the source to the last bit. albedo: the response under D65. source: three channels,
 // linear Rec.709, of the same part.
-Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const ChromophoreMaps& maps,
-                                     const EditStack& edits, const ParameterAxes& axes,
+Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const EditedSkin& skin,
                                      const ResponseModel& albedo, bool pure, const Rect& rect,
                                      int step);
-
-// The same for the whole picture; source: three planes.
-Result<std::vector<Plane>> editAlbedo(const std::vector<Plane>& source, const ChromophoreMaps& maps,
-                                      const EditStack& edits, const ParameterAxes& axes,
-                                      const ResponseModel& albedo, bool pure,
-                                      const std::shared_ptr<TileStore>& store,
-                                      const JobContext& context);
 
 }  // namespace cutis

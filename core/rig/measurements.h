@@ -2,10 +2,13 @@
 
 // Photographs of one subject, pixel by pixel, as a rig sees them.
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "core/base/plane.h"
+#include "core/base/rect.h"
+#include "core/base/result.h"
 #include "core/rig/rig.h"
 #include "core/skin/pixel_state.h"
 
@@ -13,10 +16,18 @@ namespace cutis {
 
 struct Measurements {
   Rig rig;
-  // One plane per channel of the rig, linear, perfect diffuser = 1, all of one size.
+  // One plane per channel of the rig, linear, perfect diffuser = 1, all of one size; as they were
+  // read, before the exposure.
   std::vector<Plane> channels;
   // storedState() of each pixel; `solved` here means that the pixel is there to be solved.
   Plane state;
+  // A positive factor on all channels, for pictures that are brighter or darker than the skin
+  // reflects. loadChannel() applies it, so that another exposure reads no file again; states do not
+  // depend on it.
+  double exposure = 1.0;
+
+  // A channel of a rectangle times the exposure, row by row. Precondition: as for Plane::load.
+  Status loadChannel(std::size_t channel, const Rect& rect, std::span<float> values) const;
 
   int width() const { return state.width(); }
   int height() const { return state.height(); }

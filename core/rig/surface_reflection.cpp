@@ -51,7 +51,7 @@ Status removeSurfaceReflection(const MeasurementGeometry& geometry,
   if (100 * dark > there) {
     context.say(std::to_string(100 * dark / there) +
                 " % of the pixels are darker than the reflection of the surface that was taken off "
-                "them; give a smaller --specular-share");
+                "them; give a smaller specular share");
   }
   measurements.channels = std::move(below);
   measurements.rig.noise = noiseBelowSurface(measurements.rig.noise, geometry);

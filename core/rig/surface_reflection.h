@@ -24,7 +24,8 @@ NoiseModel noiseBelowSurface(const NoiseModel& noise, const MeasurementGeometry&
 // Replaces the channels, and the noise of the rig. What is darker than the reflection alone becomes
 // 0, and a notice tells if that is more than one pixel in a hundred of those there are. NaN stays.
 // Of the geometry the two shares count; with s = 0 nothing is changed. Precondition:
-// validate(geometry) passed, e > 0. Cancelled if asked to stop: the measurements are as they were.
+// validate(geometry) passed, e > 0, and the measurements are at exposure 1. Cancelled if asked to
+// stop: the measurements are as they were.
 Status removeSurfaceReflection(const MeasurementGeometry& geometry,
                                const std::shared_ptr<TileStore>& store, const JobContext& context,
                                Measurements& measurements);

@@ -9,7 +9,7 @@
 namespace cutis {
 namespace {
 
-enum Stream : std::uint64_t { kFolds = 700, kWeave };
+enum BackdropStream : std::uint64_t { kFolds = 700, kWeave };
 
 constexpr float kDarkest = 0.03f;
 constexpr float kLightest = 0.08f;

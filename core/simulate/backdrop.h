@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/simulate
 
 // What stands behind the skin in a photograph: a dark grey-blue cloth, unevenly lit. Nothing that
 // skin could be, so that it must be masked.

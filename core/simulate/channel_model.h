@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/simulate
 
 // A rig's photographs of skin, many pixels at once: like a ResponseModel of the rig's rows, but
 // chosen from fewer spectra and with every channel from one evaluation of the nodes, because a

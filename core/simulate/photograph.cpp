@@ -21,7 +21,8 @@ constexpr std::uint64_t kNoiseStream = 800;
 // Pixels evaluated at once: their reflectances stay in the cache.
 constexpr std::size_t kBatch = 512;
 
-struct Subject {
+// What is photographed, and how.
+struct Sitting {
   const ChromophoreMaps& maps;
   const ChannelModel model;
   const Backdrop backdrop;
@@ -32,13 +33,13 @@ struct Subject {
 // Channels of one tile, a row each.
 class TileExposure {
  public:
-  TileExposure(const Subject& subject, const Rect& rect)
-      : subject_(subject),
+  TileExposure(const Sitting& sitting, const Rect& rect)
+      : sitting_(sitting),
         rect_(rect),
-        channels_(subject.model.channelCount(), rect.pixelCount()) {}
+        channels_(sitting.model.channelCount(), rect.pixelCount()) {}
 
   Status run(Measurements& photographs) {
-    CUTIS_TRY(skin, loadParameters(subject_.maps, rect_));
+    CUTIS_TRY(skin, loadParameters(sitting_.maps, rect_));
     exposeSkin(skin);
     exposeBackdrop(skin.present);
     addNoise();
@@ -56,16 +57,16 @@ class TileExposure {
       const auto first = skin.present.begin() + static_cast<std::ptrdiff_t>(begin);
       const auto last = first + static_cast<std::ptrdiff_t>(count);
       if (std::find(first, last, true) == last) continue;
-      subject_.model.evaluate(skin.batch().part(begin, count), reflectance,
+      sitting_.model.evaluate(skin.batch().part(begin, count), reflectance,
                               channels_.rows().part(begin, count));
     }
   }
 
   void exposeBackdrop(const std::vector<bool>& present) {
     if (std::find(present.begin(), present.end(), false) == present.end()) return;
-    const std::vector<float> level = subject_.backdrop.level(rect_);
+    const std::vector<float> level = sitting_.backdrop.level(rect_);
     for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
-      const float reading = subject_.backdrop.channel(k);
+      const float reading = sitting_.backdrop.channel(k);
       for (std::size_t i = 0; i < level.size(); ++i) {
         if (!present[i]) channels_[k][i] = reading * level[i];
       }
@@ -73,10 +74,10 @@ class TileExposure {
   }
 
   void addNoise() {
-    const auto deviation = static_cast<float>(subject_.proportionalNoise);
-    const auto pictureWidth = static_cast<std::uint64_t>(subject_.maps.width());
+    const auto deviation = static_cast<float>(sitting_.proportionalNoise);
+    const auto pictureWidth = static_cast<std::uint64_t>(sitting_.maps.width());
     for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
-      const std::uint64_t key = noiseKey(subject_.seed, kNoiseStream + k);
+      const std::uint64_t key = noiseKey(sitting_.seed, kNoiseStream + k);
       float* value = channels_[k].data();
       for (int y = rect_.y0; y < rect_.y1; ++y) {
         const std::uint64_t pixel =
@@ -101,7 +102,7 @@ class TileExposure {
     return states;
   }
 
-  const Subject& subject_;
+  const Sitting& sitting_;
   const Rect rect_;
   PixelBuffer<float> channels_;
 };
@@ -115,7 +116,7 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
     return usageError("", "the noise must be a standard deviation from 0, such as 0.005");
   }
   CUTIS_TRY(channels, ChannelModel::create(model, rig, maps.free(), context.child(0.0, 0.2)));
-  const Subject subject = {maps, std::move(channels),
+  const Sitting sitting = {maps, std::move(channels),
                            Backdrop(rig, maps.width(), maps.height(), seed), proportionalNoise,
                            seed};
   Measurements photographs;
@@ -127,7 +128,7 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
   CUTIS_CHECK(parallelFor(static_cast<std::size_t>(photographs.state.tileCount()),
                           context.child(0.2, 1.0), [&](std::size_t i) {
                             const Rect rect = photographs.state.tileRect(static_cast<int>(i));
-                            return TileExposure(subject, rect).run(photographs);
+                            return TileExposure(sitting, rect).run(photographs);
                           }));
   return photographs;
 }

@@ -24,19 +24,14 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
     const auto load = [&](std::size_t k) HWY_ATTR {
       return LoadFirst(d, parameters.data + k * parameters.stride + i, live);
     };
-    const V melanin = load(kMelanin);
-    const V melaninEu = hn::Mul(melanin, load(kMelaninBlend));
-    const V bloodDermal = load(kHaemoglobinDermal);
-    const V bloodEpidermal = load(kHaemoglobinEpidermal);
-    const V carotene = load(kCarotene);
+    const AmountVectors<V> skin = AmountsOf(load);
     V sums[kRows];
     for (V& sum : sums)
       sum = hn::Zero(d);
     const float* weights = arguments.weights;
     for (std::size_t n = 0; n < arguments.nodeCount; ++n) {
       V epidermal, dermal;
-      NodeAbsorption(d, arguments.nodes[n], melanin, melaninEu, bloodDermal, bloodEpidermal,
-                     carotene, epidermal, dermal);
+      NodeAbsorption(d, arguments.nodes[n], skin, epidermal, dermal);
       const V reflectance =
           NodeReflectanceOf<false>(d, arguments.layers, arguments.nodes[n], epidermal, dermal)
               .reflectance;

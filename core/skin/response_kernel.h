@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin
 
 // Vectorised part of core/skin/response_model.cpp. Plain data, see node_constants.h.
 

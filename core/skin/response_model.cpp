@@ -29,6 +29,7 @@ Result<std::shared_ptr<const ResponseModel>> ResponseModel::create(const SkinMod
                                                                    const FreeConstants& free,
                                                                    const JobContext& context,
                                                                    const NodeOptions& options) {
+  CUTIS_CHECK(requireFive(model.profile(), "a picture"));
   if (free.count() == 0) return std::make_shared<const ResponseModel>(model, rows, options);
   CUTIS_TRY(response, FreeResponse::make(model, rows, free, options, context));
   return std::make_shared<const ResponseModel>(

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/transport
 
 // Adding: layers below a lit surface, one after another.
 //

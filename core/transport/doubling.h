@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/transport
 
 // Doubling: the operators of a homogeneous layer from those of a very thin one.
 //

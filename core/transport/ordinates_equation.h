@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/transport
 
 // The transport equation of a homogeneous layer in discrete ordinates.
 //

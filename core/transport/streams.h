@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/transport
 
 // Discrete ordinates: the directions light takes inside the layers, one set per hemisphere.
 //

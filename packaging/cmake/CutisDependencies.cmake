@@ -6,6 +6,11 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(TBB REQUIRED)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET libhwy)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(Imath REQUIRED Imath)
+
+# Imath's half alone, which is all headers: nothing of it is linked.
+add_library(cutis_half INTERFACE)
+target_include_directories(cutis_half SYSTEM INTERFACE ${Imath_INCLUDEDIR})
 
 # From SSE4 to AVX-512; the sets left out in between gain nothing for our kernels.
 add_library(cutis_simd INTERFACE)
@@ -21,6 +26,7 @@ if(NOT CUTIS_CORE_ONLY)
   # Their CMake configurations on Debian 12 do not work without extra packages; pkg-config does.
   pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
   pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO)
+  find_package(ZLIB REQUIRED)
   find_package(CLI11 2.1 REQUIRED)
 endif()
 find_package(nlohmann_json 3.11 REQUIRED)

@@ -1,3 +1,26 @@
+# cutis_join_sources(TARGET SOURCES...)
+#
+# With CUTIS_JOIN_SOURCES several files are compiled as one: what they include is read and compiled
+# once for all of them, which is most of the work. Names in anonymous namespaces must therefore
+# differ within a library. A file compiled for several instruction sets includes itself again and
+# stays alone.
+function(cutis_join_sources target)
+  if(NOT CUTIS_JOIN_SOURCES)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  foreach(source IN LISTS ARGN)
+    cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE path)
+    if(NOT EXISTS "${path}")
+      continue()
+    endif()
+    file(STRINGS "${path}" vectorised REGEX "^#include <hwy/foreach_target.h>" LIMIT_COUNT 1)
+    if(vectorised)
+      set_source_files_properties("${source}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
+endfunction()
+
 # cutis_library(FOLDER SOURCES ... [USES FOLDER...] [EXTERNAL TARGET...] [PRIVATE_EXTERNAL TARGET...])
 #
 # One static library per folder, named after it: core/skin is cutis_core_skin. USES names the
@@ -6,6 +29,7 @@ function(cutis_library folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;EXTERNAL;PRIVATE_EXTERNAL" ${ARGN})
   cutis_target_name(target ${folder})
   add_library(${target} STATIC ${ARG_SOURCES})
+  cutis_join_sources(${target} ${ARG_SOURCES})
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PRIVATE cutis_compiler ${ARG_PRIVATE_EXTERNAL})
   target_link_libraries(${target} PUBLIC ${ARG_EXTERNAL})
@@ -20,6 +44,7 @@ endfunction()
 function(cutis_program name folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;EXTERNAL" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
+  cutis_join_sources(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE cutis_compiler ${ARG_EXTERNAL})
   foreach(used IN LISTS ARG_USES)
     cutis_target_name(used_target ${used})

@@ -21,16 +21,14 @@ namespace {
 // Simulated faces that decide what the first stage of the three-stage search holds fixed.
 constexpr int kTrainingPopulation = 1000;
 
-Error noNetwork(const Profile& profile, const Rig& rig) {
-  return inputError("--method", "no network is built in for rig '" + rig.name +
-                                    "' with these lights and profile '" + profile.name +
-                                    "'; train one with " + trainingCommand(profile, rig) +
-                                    " and give it with --weights");
-}
-
 }  // namespace
 
-Engine::Engine(std::filesystem::path cache) : cache_(std::move(cache)) {}
+Engine::Engine(std::filesystem::path cache, NetworkAdvice advice)
+    : cache_(std::move(cache)), advice_(std::move(advice)) {}
+
+std::string Engine::whatToDo(const Profile& profile, const Rig& rig) const {
+  return advice_.whatToDo ? advice_.whatToDo(profile, rig) : "train one for them";
+}
 
 template <typename T>
 std::shared_ptr<const T> Engine::find(const Cache<T>& cache, const std::string& key) const {
@@ -67,6 +65,7 @@ Result<std::shared_ptr<const SkinModel>> Engine::modelFromText(const std::string
 Result<std::shared_ptr<const PixelSolver>> Engine::solver(
     const std::shared_ptr<const SkinModel>& model, const Rig& rig, const FitOptions& options,
     const JobContext& context) {
+  CUTIS_CHECK(requireFive(model->profile(), "a fit of photographs"));
   if (options.free.count() > 0) {
     CUTIS_TRY(freeSolver, makeFreeSolver(model, rig, options, context));
     return std::shared_ptr<const PixelSolver>(std::move(freeSolver));
@@ -89,12 +88,23 @@ Result<std::shared_ptr<const PixelSolver>> Engine::networkSolver(
     const SkinModel& model, const Rig& rig, std::shared_ptr<const ChromophoreNetwork> given) const {
   if (given == nullptr) {
     CUTIS_TRY(found, network(model.profile(), rig));
-    if (found == nullptr) return noNetwork(model.profile(), rig);
+    if (found == nullptr) {
+      return inputError(advice_.missingPlace, "no network is built in for rig '" + rig.name +
+                                                  "' with these lights and profile '" +
+                                                  model.profile().name + "'; " +
+                                                  whatToDo(model.profile(), rig));
+    }
     given = found;
   }
-  CUTIS_TRY(channels, matchNetwork(*given, model.profile(), rig, "--weights"));
-  return std::shared_ptr<const PixelSolver>(makeNetworkSolver(
-      *given, channels, std::make_shared<const ResponseModel>(model, channels.rows)));
+  const auto channels = matchNetwork(*given, model.profile(), rig, advice_.mismatchPlace);
+  if (channels.failed()) {
+    const Error& mismatch = channels.error();
+    return Error{mismatch.kind, mismatch.place,
+                 mismatch.message + "; " + whatToDo(model.profile(), rig)};
+  }
+  return std::shared_ptr<const PixelSolver>(
+      makeNetworkSolver(*given, channels.value(),
+                        std::make_shared<const ResponseModel>(model, channels.value().rows)));
 }
 
 Result<std::shared_ptr<const ChromophoreNetwork>> Engine::network(const Profile& profile,
@@ -123,18 +133,17 @@ void Engine::addNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
   networks_.push_back(std::move(network));
 }
 
-Result<std::shared_ptr<const ResponseModel>> Engine::picture(
-    const std::shared_ptr<const SkinModel>& model, const PictureRequest& request,
-    const std::string& place, const FreeConstants& free, const JobContext& context) {
-  CUTIS_TRY(rows, pictureRows(request, place));
+Result<std::shared_ptr<const ResponseModel>> Engine::response(
+    const std::shared_ptr<const SkinModel>& model, const SpectrumRows& rows,
+    const FreeConstants& free, const JobContext& context) {
   ContentHash hash;
   hash.add(fingerprint(model->profile()));
   hash.add(std::span<const double>(rows.data(), static_cast<std::size_t>(rows.size())));
   hash.add(static_cast<double>(free.oxygenation)).add(static_cast<double>(free.thickness));
   const std::string key = hash.digest();
-  if (auto known = find(pictures_, key)) return known;
+  if (auto known = find(responses_, key)) return known;
   CUTIS_TRY(made, ResponseModel::create(*model, rows, free, context));
-  return keep(pictures_, key, std::move(made));
+  return keep(responses_, key, std::move(made));
 }
 
 Result<std::shared_ptr<const TableSearch>> Engine::tableSearch(const SkinModel& model,

@@ -8,6 +8,7 @@
 // same moment may both make it, and one copy is kept.
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -23,14 +24,21 @@
 #include "core/rig/rig.h"
 #include "core/skin/model/skin_model.h"
 #include "core/skin/response_model.h"
-#include "src/app/picture_request.h"
 
 namespace cutis {
+
+// How a program speaks of networks that are missing, or that are of another rig or profile.
+struct NetworkAdvice {
+  std::string missingPlace;   // where the error is: "--method"; empty: nowhere
+  std::string mismatchPlace;  // "--weights"
+  // What to do for this profile and rig: "train one with …"; none: to train one.
+  std::function<std::string(const Profile&, const Rig&)> whatToDo;
+};
 
 class Engine {
  public:
   // cache: folder for what can be computed again; empty for none.
-  explicit Engine(std::filesystem::path cache);
+  explicit Engine(std::filesystem::path cache, NetworkAdvice advice = {});
 
   // A built-in profile or a file. `place` stands in front of errors about the name.
   Result<std::shared_ptr<const SkinModel>> model(const std::string& profile,
@@ -40,7 +48,7 @@ class Engine {
                                                          const std::string& place);
 
   // The method network takes the network of the options, or else that of network(); fails with the
-  // command that trains one if it is of another rig or profile, or there is none.
+  // advice if it is of another rig or profile, or there is none.
   Result<std::shared_ptr<const PixelSolver>> solver(const std::shared_ptr<const SkinModel>& model,
                                                     const Rig& rig, const FitOptions& options,
                                                     const JobContext& context);
@@ -52,11 +60,12 @@ class Engine {
   // Precondition: the network passed validate().
   void addNetwork(std::shared_ptr<const ChromophoreNetwork> network);
 
-  // A picture of the model's skin, of maps that bring along the constants that are `free`: then it
-  // takes some seconds where it is new.
-  Result<std::shared_ptr<const ResponseModel>> picture(
-      const std::shared_ptr<const SkinModel>& model, const PictureRequest& request,
-      const std::string& place, const FreeConstants& free = {}, const JobContext& context = {});
+  // The response of a model's skin to rows of a response matrix (src/app/picture_request.h), for
+  // maps that bring along the constants that are `free`: then it takes some seconds where it is
+  // new.
+  Result<std::shared_ptr<const ResponseModel>> response(
+      const std::shared_ptr<const SkinModel>& model, const SpectrumRows& rows,
+      const FreeConstants& free, const JobContext& context);
 
   // The search in the table of skin for a rig.
   Result<std::shared_ptr<const TableSearch>> tableSearch(const SkinModel& model, const Rig& rig,
@@ -76,11 +85,14 @@ class Engine {
       const SkinModel& model, const Rig& rig,
       std::shared_ptr<const ChromophoreNetwork> given) const;
 
+  std::string whatToDo(const Profile& profile, const Rig& rig) const;
+
   std::filesystem::path cache_;
+  NetworkAdvice advice_;
   mutable std::mutex mutex_;
   Cache<SkinModel> models_;
   Cache<TableSearch> searches_;
-  Cache<ResponseModel> pictures_;
+  Cache<ResponseModel> responses_;
   std::vector<std::shared_ptr<const ChromophoreNetwork>> networks_;  // those added
 };
 

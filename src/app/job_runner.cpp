@@ -1,8 +1,9 @@
 #include "src/app/job_runner.h"
 
 #include <algorithm>
-#include <atomic>
+#include <exception>
 #include <mutex>
+#include <new>
 #include <utility>
 
 namespace cutis {
@@ -17,6 +18,24 @@ struct SharedProgress {
   double fraction = 0.0;
   bool changed = false;
 };
+
+// Does the work; what it throws, in words for the user, or nothing. An exception that leaves a
+// thread ends the program with everything that is open in it.
+QString failureOf(const std::function<void(const JobRunner::Handle&)>& work,
+                  const JobRunner::Handle& handle) noexcept {
+  try {
+    work(handle);
+    return {};
+  } catch (const std::bad_alloc&) {
+    return JobRunner::tr(
+        "There was not enough memory for this; close other programs or open a smaller picture");
+  } catch (const std::exception& error) {
+    return JobRunner::tr("Something went wrong that should not have (%1); what is open is unharmed")
+        .arg(QString::fromUtf8(error.what()).simplified());
+  } catch (...) {
+    return JobRunner::tr("Something went wrong that should not have; what is open is unharmed");
+  }
+}
 
 }  // namespace
 
@@ -84,9 +103,9 @@ JobId JobRunner::launch(const QString& name, bool quiet, std::function<void(cons
         Qt::QueuedConnection);
   };
   job->thread = std::thread([this, id, handle, work = std::move(work)] {
-    work(handle);
+    const QString failure = failureOf(work, handle);
     QMetaObject::invokeMethod(
-        this, [this, id] { retire(id); }, Qt::QueuedConnection);
+        this, [this, id, failure] { retire(id, failure); }, Qt::QueuedConnection);
   });
   jobs_.push_back(std::move(job));
   if (!quiet) {
@@ -138,13 +157,14 @@ void JobRunner::reportProgress() {
   }
 }
 
-void JobRunner::retire(JobId id) {
+void JobRunner::retire(JobId id, const QString& failure) {
   const auto found =
       std::find_if(jobs_.begin(), jobs_.end(), [id](const auto& job) { return job->id == id; });
   if (found == jobs_.end()) return;
   const std::unique_ptr<Job> job = std::move(*found);
   jobs_.erase(found);
   job->thread.join();  // its last act was to call this
+  if (!failure.isEmpty() && !job->cancelled) Q_EMIT failed(id, failure);
   if (!job->quiet && !job->cancelled) Q_EMIT finished(id);
   if (!isBusy()) progressTimer_.stop();
   if (isIdle()) Q_EMIT idle();

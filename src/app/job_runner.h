@@ -4,7 +4,7 @@
 //
 // A job runs on a thread of its own and hands results to the interface thread with post(). It is
 // told to stop and then left alone: the interface never waits for it. What an older job posts after
-// it was cancelled is dropped.
+// it was cancelled is dropped. A job that throws ends with one sentence, and the program goes on.
 //
 // Lives on the interface thread; all signals arrive there.
 
@@ -59,7 +59,10 @@ class JobRunner : public QObject {
   void started(cutis::JobId id, const QString& name);
   // At most 30 times a second. secondsLeft is negative while there is no estimate.
   void progressed(cutis::JobId id, const QString& stage, double fraction, double secondsLeft);
-  // Done or cancelled.
+  // The job threw: one sentence for the user. Before finished(); of quiet jobs, too, but of none
+  // that is cancelled.
+  void failed(cutis::JobId id, const QString& sentence);
+  // Done, failed or cancelled.
   void finished(cutis::JobId id);
   // Nothing runs any more.
   void idle();
@@ -69,7 +72,8 @@ class JobRunner : public QObject {
 
   JobId launch(const QString& name, bool quiet, std::function<void(const Handle&)> work);
   void reportProgress();
-  void retire(JobId id);
+  // failure: what the job threw, in words; empty where it ended well.
+  void retire(JobId id, const QString& failure);
   Job* find(JobId id) const;
 
   std::list<std::unique_ptr<Job>> jobs_;  // running, cancelled ones included

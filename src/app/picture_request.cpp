@@ -1,30 +1,32 @@
 #include "src/app/picture_request.h"
 
+#include "core/base/number_text.h"
 #include "core/render/relight.h"
-#include "src/files/io/csv.h"
 #include "src/files/spectral_library.h"
 
 namespace cutis {
 
-Result<SpectrumRows> pictureRows(const PictureRequest& request, const std::string& place) {
-  if (request.band) return bandRow(*request.band);
-  CUTIS_TRY(light, loadLight({request.light, {}, place}));
-  CUTIS_TRY(eyes, loadCamera({request.observer, {}, place}));
+Result<PictureRows> pictureRows(const PictureRequest& request, const PicturePlaces& places) {
+  if (request.band) return PictureRows{bandRow(*request.band), false};
+  CUTIS_TRY(light, loadLight({request.light, {}, places.light}));
+  CUTIS_TRY(eyes, loadCamera({request.observer, {}, places.observer}));
   if (!eyes.isObserver) {
     const SpectrumRows rows = channelRows(light, eyes.sensor);
     if ((rows == 0.0).all()) {
-      return inputError(place, "camera '" + request.observer + "' sees nothing of light '" +
-                                   request.light + "'; choose others");
+      return inputError(places.light, "camera '" + request.observer + "' sees nothing of light '" +
+                                          request.light + "'; choose others");
     }
-    return rows;
+    return PictureRows{rows, false};
   }
   if (!(eyes.sensor.sensitivity.row(1).transpose() * light).any()) {
-    return inputError(place, "light '" + request.light +
-                                 "' has no visible power; use --band for ultraviolet or infrared");
+    return inputError(places.light,
+                      "light '" + request.light +
+                          "' has no visible power; choose a band for ultraviolet or infrared");
   }
-  CUTIS_TRY(daylight, loadLight({"D65", {}, place}));
-  CUTIS_TRY(standard, loadCamera({"cie1931", {}, place}));
-  return colourRows(light, eyes.sensor, request.adaptation, daylight, standard.sensor);
+  CUTIS_TRY(daylight, loadLight({"D65", {}, places.light}));
+  CUTIS_TRY(standard, loadCamera({"cie1931", {}, places.light}));
+  return PictureRows{colourRows(light, eyes.sensor, request.adaptation, daylight, standard.sensor),
+                     true};
 }
 
 Result<Band> parseBand(const std::string& text, const std::string& place) {

@@ -22,9 +22,21 @@ struct PictureRequest {
   bool operator==(const PictureRequest&) const = default;
 };
 
-// The rows of the response matrix: linear Rec.709 for an observer, the camera's own channels for a
-// camera, one row for a band. `place` stands in front of errors about the names.
-Result<SpectrumRows> pictureRows(const PictureRequest& request, const std::string& place);
+// A picture as rows of a response matrix: linear Rec.709 for an observer, the camera's own channels
+// for a camera, one row for a band.
+struct PictureRows {
+  SpectrumRows rows;
+  bool isColor = true;  // of an observer: in a colour space
+};
+
+// What stands in front of errors about the names.
+struct PicturePlaces {
+  std::string light = {};
+  std::string observer = {};
+};
+
+// Reads each file that the request names once.
+Result<PictureRows> pictureRows(const PictureRequest& request, const PicturePlaces& places);
 
 // "uv" and "nir", or "A:B" in nm; both ends included. Fails with a sentence for anything else.
 Result<Band> parseBand(const std::string& text, const std::string& place);

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli
 
 // Help in lines that fit a terminal.
 

@@ -15,9 +15,10 @@
 
 #include "core/base/instruction_set.h"
 #include "src/cli/command.h"
+#include "src/cli/command_line.h"
 #include "src/cli/console.h"
 #include "src/cli/help_format.h"
-#include "src/cli/options/arguments.h"
+#include "src/cli/options/train_options.h"
 #include "src/files/io/platform.h"
 
 namespace cutis {
@@ -73,7 +74,7 @@ Result<std::optional<Invocation>> readCommandLine(int argc, const char* const* a
   Invocation invocation;
   const auto app = makeCommandLine(invocation);
   CUTIS_CHECK(
-      checkArguments(*app, std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc)));
+      checkCommandLine(*app, std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc)));
   try {
     app->parse(argc, argv);
   } catch (const CLI::Success& request) {
@@ -94,7 +95,7 @@ Status run(const Invocation& invocation, Console& console) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
   onInterrupt([] { interruption().request_stop(); });
-  Engine engine(cacheFolder());
+  Engine engine(cacheFolder(), networkAdvice());
   Session session = {engine,
                      std::make_shared<TileStore>(kPictureMemoryBytes),
                      {},

@@ -1,9 +1,6 @@
 #include "src/cli/text_table.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace cutis {
 namespace {
@@ -13,13 +10,6 @@ std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
   }));
-}
-
-std::string converted(double value, std::chars_format format, int precision) {
-  std::array<char, 64> buffer;
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
-  return end.ec == std::errc() ? std::string(buffer.data(), end.ptr) : std::string("-");
 }
 
 }  // namespace
@@ -42,22 +32,6 @@ std::string TextTable::text() const {
     text += line + "\n";
   }
   return text;
-}
-
-std::string shortScientific(double value) {
-  if (value == 0.0) return "0";
-  if (!std::isfinite(value)) return "-";
-  std::string text = converted(value, std::chars_format::scientific, 2);
-  // "3.82e-06"
-  const auto digits = text.find_first_of("+-", text.find('e')) + 1;
-  while (digits + 1 < text.size() && text[digits] == '0')
-    text.erase(digits, 1);
-  return text;
-}
-
-std::string fixedNumber(double value, int decimals) {
-  if (!std::isfinite(value)) return "-";
-  return converted(value, std::chars_format::fixed, decimals);
 }
 
 }  // namespace cutis

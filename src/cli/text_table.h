@@ -25,9 +25,4 @@ class TextTable {
   std::size_t leftColumns_;
 };
 
-// "3.82e-6": two decimals and no zeros in the exponent; "0" for zero.
-std::string shortScientific(double value);
-// Fixed decimals; "-" for NaN.
-std::string fixedNumber(double value, int decimals);
-
 }  // namespace cutis

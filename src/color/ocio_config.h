@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/color
 
 // The OpenColorIO configuration that $OCIO names.
 //

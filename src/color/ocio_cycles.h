@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/color
 
 // Colour spaces that are defined by themselves. OpenColorIO follows such a definition until the
 // stack ends, so it must be asked for before a conversion is built.

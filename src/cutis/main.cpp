@@ -15,6 +15,7 @@
 #include "src/app/open/fit_choice.h"
 #include "src/files/io/platform.h"
 #include "src/files/profiles/profile_file.h"
+#include "ui/dialogs/open_controller.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/main_window.h"
@@ -115,8 +116,8 @@ int runEditor(QApplication& application, const Arguments& arguments) {
   window.document().setUsualFit(arguments.fit);
   if (arguments.size) window.resize(*arguments.size);
   window.show();
-  if (arguments.sample) window.openSample();
-  if (!arguments.files.isEmpty()) window.openPath(arguments.files.first());
+  if (arguments.sample) window.opener().openSample();
+  if (!arguments.files.isEmpty()) window.opener().open(arguments.files.first());
   std::unique_ptr<Automaton> automaton;
   if (!arguments.screenshot.isEmpty()) {
     automaton = std::make_unique<Automaton>(window, arguments);

@@ -1,8 +1,11 @@
 #include "src/files/recipe_file.h"
 
 #include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
+#include "core/skin/profile/chromophore_table.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/text_file.h"
 #include "src/files/resources.h"
@@ -10,7 +13,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestRecipe = 1;
 
 // A field of an object and what it sets; left alone where the object has no such field.
 template <typename T>
@@ -82,14 +85,16 @@ Status readFields(const JsonValue& object, Field<T>... fields) {
   return status;
 }
 
+template <typename T, std::size_t... k>
+Status parseParameters(const JsonValue& object, std::array<T, kParameterCount>& values,
+                       std::index_sequence<k...>) {
+  return readFields(object, field(chromophoreTable()[k].name.c_str(), values[k])...);
+}
+
 // One entry per parameter.
 template <typename T>
 Status parse(const JsonValue& object, std::array<T, kParameterCount>& values) {
-  return readFields(object, field("melanin", values[kMelanin]),
-                    field("melanin_blend", values[kMelaninBlend]),
-                    field("haemoglobin_dermal", values[kHaemoglobinDermal]),
-                    field("haemoglobin_epidermal", values[kHaemoglobinEpidermal]),
-                    field("carotene", values[kCarotene]));
+  return parseParameters(object, values, std::make_index_sequence<kParameterCount>());
 }
 
 Status parse(const JsonValue& object, SkinTone& tone) {
@@ -192,7 +197,7 @@ Result<RecipeFile> loadRecipe(const std::string& nameOrPath, const std::string& 
 
 Result<RecipeFile> parseRecipe(std::string_view text, const std::string& place) {
   CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_recipe", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_recipe", kNewestRecipe));
   CUTIS_CHECK(
       root.allowOnly({"cutis_recipe", "name", "description", "width", "height", "seed", "skin"}));
   RecipeFile recipe;

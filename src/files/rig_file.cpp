@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestRig = 1;
 constexpr std::array<const char*, 3> kPrimaryNames = {"R", "G", "B"};
 
 using Primaries = std::optional<std::array<Spectrum, 3>>;
@@ -60,7 +60,7 @@ Result<NoiseModel> parseNoise(const JsonValue& root) {
 }
 
 Result<Rig> parseRig(const JsonValue& root, const fs::path& folder) {
-  CUTIS_CHECK(checkVersion(root, "cutis_rig", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_rig", kNewestRig));
   CUTIS_CHECK(root.allowOnly(
       {"cutis_rig", "name", "description", "camera", "primaries", "lights", "noise"}));
   Rig rig;

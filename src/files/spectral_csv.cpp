@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/text_file.h"
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/files
 
 // Spectra as comma-separated values: `#` comments, a header row, the wavelength in nm in the first
 // column and one curve in each of the others.

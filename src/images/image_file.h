@@ -2,8 +2,8 @@
 
 // Pictures in files.
 //
-// Read: PNG, TIFF, OpenEXR, JPEG, BMP, Targa, Radiance HDR, told by content and not by name.
-// Written: PNG (8, 16 bit), TIFF (8, 16 bit, float), OpenEXR (half, float), JPEG (8 bit).
+// The formats that are read and written, with their sample types: src/images/image_formats.h. What
+// is read is recognised by its content and not by its name.
 //
 // Values: unsigned integers are value / maximum in [0, 1], without linearisation; floats as they
 // are, with NaN, infinities and negatives. Alpha stays as it is stored and multiplies nothing.
@@ -16,7 +16,9 @@
 // channels is refused. The stop token is looked at every few million samples.
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,8 +53,16 @@ struct Image : ImageHeader {
 
 Result<ImageHeader> readImageHeader(const std::filesystem::path& path, const JobContext& context);
 
-// A half plane holds 8 bits and half exactly enough for display only: v / 255 is not a half.
-Result<Image> readImage(const std::filesystem::path& path, PixelFormat format,
+struct ImageReadOptions {
+  // Of the planes; none: what holds the file's samples without loss, half for halves and else
+  // float. A half plane holds 8 bits well enough for display only: v / 255 is not a half.
+  std::optional<PixelFormat> format = {};
+  // Looks at the header before any pixel is read; what it objects to is the reader's error. May be
+  // empty.
+  std::function<Status(const ImageHeader& header)> accept = {};
+};
+
+Result<Image> readImage(const std::filesystem::path& path, const ImageReadOptions& options,
                         const std::shared_ptr<TileStore>& store, const JobContext& context);
 
 struct ImageContent {

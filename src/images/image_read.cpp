@@ -35,14 +35,17 @@ Result<ImageHeader> readImageHeader(const std::filesystem::path& path, const Job
   return header;
 }
 
-Result<Image> readImage(const std::filesystem::path& path, PixelFormat format,
+Result<Image> readImage(const std::filesystem::path& path, const ImageReadOptions& options,
                         const std::shared_ptr<TileStore>& store, const JobContext& context) {
   CUTIS_TRY(reader, ImageReader::open(path, context));
   CUTIS_TRY(part, reader.part(0));
-  CUTIS_TRY(hash, hashFile(path, context));
   Image image;
   fillHeader(part, reader.kind(), image);
+  if (options.accept) CUTIS_CHECK(options.accept(image));
+  CUTIS_TRY(hash, hashFile(path, context));
   image.contentHash = hash;
+  const PixelFormat format = options.format.value_or(
+      image.sourceType == SampleType::half ? PixelFormat::half : PixelFormat::float32);
   std::vector<int> all(static_cast<std::size_t>(part.spec.nchannels));
   std::iota(all.begin(), all.end(), 0);
   CUTIS_TRY(planes, reader.read(part, all, format, store, context.child(kHashShare, 1.0)));

@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cctype>
 #include <numeric>
-#include <optional>
 
 #include "src/files/io/atomic_write.h"
 #include "src/images/codec/color_tags.h"
@@ -11,43 +9,10 @@
 #include "src/images/codec/metadata_access.h"
 #include "src/images/codec/oiio_text.h"
 #include "src/images/image_file.h"
+#include "src/images/image_formats.h"
 
 namespace cutis {
 namespace {
-
-constexpr int kJpegQuality = 95;
-
-struct OutputFormat {
-  ImageFileKind kind;
-  std::vector<SampleType> types;
-  bool colorsOnly;  // one or three, nothing else
-  bool alpha;       // beside them
-};
-
-std::optional<OutputFormat> outputFormat(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  using enum SampleType;
-  if (extension == ".exr")
-    return OutputFormat{ImageFileKind::openExr, {half, float32}, false, true};
-  if (extension == ".png") return OutputFormat{ImageFileKind::png, {uint8, uint16}, true, true};
-  if (extension == ".tif" || extension == ".tiff") {
-    return OutputFormat{ImageFileKind::tiff, {uint16, uint8, float32}, false, true};
-  }
-  if (extension == ".jpg" || extension == ".jpeg") {
-    return OutputFormat{ImageFileKind::jpeg, {uint8}, true, false};
-  }
-  return std::nullopt;
-}
-
-Result<OutputFormat> requireFormat(const std::filesystem::path& path) {
-  const auto format = outputFormat(path);
-  if (format) return *format;
-  return usageError(path.string(),
-                    "images are written as .exr, .tif, .png or .jpg; name the file "
-                    "with one of these");
-}
 
 std::string listOf(const std::vector<SampleType>& types) {
   std::string list;
@@ -80,7 +45,7 @@ std::vector<std::size_t> orderedChannels(const std::vector<std::string>& names) 
 
 // Which channels the format has a place for, in its order.
 std::vector<std::size_t> chosenChannels(const std::vector<std::string>& names,
-                                        const OutputFormat& format) {
+                                        const ImageFormat& format) {
   const std::vector<std::size_t> ordered = orderedChannels(names);
   if (!format.colorsOnly) return ordered;
   std::vector<std::size_t> kept, alpha;
@@ -88,12 +53,12 @@ std::vector<std::size_t> chosenChannels(const std::vector<std::string>& names,
     (isAlpha(names[i]) ? alpha : kept).push_back(i);
   if (kept.empty()) std::swap(kept, alpha);
   kept.resize(kept.size() >= 3 ? 3 : 1);
-  if (format.alpha && !alpha.empty()) kept.push_back(alpha.front());
+  if (format.holdsAlpha && !alpha.empty()) kept.push_back(alpha.front());
   return kept;
 }
 
 OIIO::ImageSpec plainSpec(const ImageContent& content, const std::vector<std::size_t>& channels,
-                          const OutputFormat& format, SampleType type) {
+                          const ImageFormat& format, SampleType type) {
   const Plane& first = content.channels.front();
   OIIO::ImageSpec spec(first.width(), first.height(), static_cast<int>(channels.size()),
                        oiioType(type));
@@ -103,28 +68,26 @@ OIIO::ImageSpec plainSpec(const ImageContent& content, const std::vector<std::si
     if (isAlpha(spec.channelnames[i])) spec.alpha_channel = static_cast<int>(i);
   }
   spec.attribute("oiio:UnassociatedAlpha", 1);  // colours are not to be divided by alpha
-  if (format.kind == ImageFileKind::jpeg) {
-    spec.attribute("CompressionQuality", kJpegQuality);
-    spec.attribute("jpeg:subsampling", "4:4:4");
-  } else {
-    spec.attribute("compression", "zip");
-  }
+  if (!format.compression.empty()) spec.attribute("compression", std::string(format.compression));
+  if (format.quality > 0) spec.attribute("CompressionQuality", format.quality);
+  if (format.kind == ImageFileKind::jpeg) spec.attribute("jpeg:subsampling", "4:4:4");
   return spec;
 }
 
 }  // namespace
 
 Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path& path) {
-  CUTIS_TRY(format, requireFormat(path));
-  return format.types;
+  CUTIS_TRY(format, writtenFormat(path));
+  return format->sampleTypes;
 }
 
 Status checkImageOutput(const std::filesystem::path& path, SampleType type) {
-  CUTIS_TRY(format, requireFormat(path));
-  if (std::find(format.types.begin(), format.types.end(), type) == format.types.end()) {
-    return usageError(path.string(), imageKindName(format.kind) +
-                                         " does not hold samples of type " + sampleTypeName(type) +
-                                         "; choose " + listOf(format.types) + " or another format");
+  CUTIS_TRY(format, writtenFormat(path));
+  const std::vector<SampleType>& types = format->sampleTypes;
+  if (std::find(types.begin(), types.end(), type) == types.end()) {
+    return usageError(path.string(), std::string(format->name) + " does not hold samples of type " +
+                                         sampleTypeName(type) + "; choose " + listOf(types) +
+                                         " or another format");
   }
   return checkWritable(path);
 }
@@ -133,13 +96,13 @@ Status writeImage(const std::filesystem::path& path, const ImageContent& content
                   const JobContext& context) {
   assert(!content.channels.empty() && content.channels.size() == content.channelNames.size());
   CUTIS_CHECK(checkImageOutput(path, type));
-  const OutputFormat format = *outputFormat(path);
-  const std::string place = path.string();
+  const ImageFormat& format = *writtenFormat(path).value();
+  const std::string place = path.string(), formatName(format.name);
   const std::vector<std::size_t> channels = chosenChannels(content.channelNames, format);
   if (channels.size() < content.channels.size()) {
-    context.say(place + ": " + imageKindName(format.kind) + " has room for " +
-                std::to_string(channels.size()) + " of the " +
-                std::to_string(content.channels.size()) + " channels; the others are left out");
+    context.say(place + ": " + formatName + " has room for " + std::to_string(channels.size()) +
+                " of the " + std::to_string(content.channels.size()) +
+                " channels; the others are left out");
   }
   OIIO::ImageSpec plain = plainSpec(content, channels, format, type);
   OutputPart part{plain, {}};
@@ -155,7 +118,7 @@ Status writeImage(const std::filesystem::path& path, const ImageContent& content
   for (OIIO::ImageSpec* spec : {&plain, &part.spec}) {
     if (!tagColorSpace(format.kind, type, content.colorSpace, *spec) && spec == &plain &&
         !content.keepColorProfile) {
-      context.say(place + ": " + imageKindName(format.kind) + " of this sample type cannot say " +
+      context.say(place + ": " + formatName + " of this sample type cannot say " +
                   "that its colours are " + content.colorSpace + "; name it when you use the file");
     }
   }

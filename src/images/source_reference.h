@@ -1,5 +1,7 @@
 #pragma once
 
+// Where a result comes from: maps and captures name the files they were made from.
+
 #include <string>
 
 namespace cutis {

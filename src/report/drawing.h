@@ -1,83 +1,113 @@
 #pragma once
 
-// A picture of lines, markers and words, kept as SVG.
+// A picture as a list of lines, filled areas, markers and words, which knows nothing of how it is
+// drawn: svg.h writes it as SVG, ui/plot paints it with QPainter.
 //
-// Places and lengths are pixels, x to the right and y downwards; colours are "#rrggbb". Words are
-// UTF-8 and may hold anything; y is their baseline. What is added later lies above.
+// Places and lengths are pixels, x to the right and y downwards. Words are UTF-8 and may hold
+// anything; y is their baseline. What is added later lies above. Places must be finite.
 
-#include <span>
+#include <cstdint>
 #include <string>
-#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "src/report/geometry.h"
 
 namespace cutis {
 
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
+// sRGB; alpha 0 is not drawn at all.
+struct Color {
+  std::uint8_t red = 0, green = 0, blue = 0, alpha = 255;
+
+  // From 0xrrggbb.
+  static constexpr Color rgb(std::uint32_t value) {
+    return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+            static_cast<std::uint8_t>(value), 255};
+  }
+  // The same colour, of which the ground shows a part.
+  constexpr Color faded(std::uint8_t share) const { return {red, green, blue, share}; }
+  constexpr bool isNone() const { return alpha == 0; }
+
+  bool operator==(const Color&) const = default;
 };
 
-// Half-open on no side: boxes that touch do not overlap.
-struct Box {
-  double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
-
-  bool overlaps(const Box& other) const {
-    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-  }
-  bool holds(const Box& other) const {
-    return left <= other.left && top <= other.top && other.right <= right && other.bottom <= bottom;
-  }
-};
+inline constexpr Color kNoColor = {0, 0, 0, 0};
 
 struct Stroke {
-  const char* color = "#000000";
+  Color color;
   double width = 1.0;
-  const char* dashes = "";  // lengths on and off, "6 4"
+  double dash = 0.0, gap = 0.0;  // lengths along the line; no dash: a whole line
+
+  bool operator==(const Stroke&) const = default;
 };
+
+inline constexpr Stroke kNoStroke = {kNoColor, 0.0};
 
 enum class Anchor { start, middle, end };
 
 struct TextStyle {
   double size = 12.0;  // of an em
-  const char* color = "#000000";
+  Color color;
   bool bold = false;
+
+  bool operator==(const TextStyle&) const = default;
 };
 
-class Drawing {
- public:
-  // description: what a reader who cannot see it should know.
-  Drawing(double width, double height, std::string title, std::string description);
+struct Polyline {
+  std::vector<Point> points;  // at least two
+  Stroke stroke;
 
-  // Either colour may be "none".
-  void rectangle(const Box& box, const char* fill, const Stroke& stroke, double cornerRadius = 0.0);
-  void disc(Point centre, double radius, const char* fill, const Stroke& stroke);
-  void line(Point from, Point to, const Stroke& stroke);
-  void polyline(std::span<const Point> points, const Stroke& stroke);
-  // What the points enclose, without a rim.
-  void area(std::span<const Point> points, const char* fill);
-
-  void text(Point at, std::string_view words, const TextStyle& style, Anchor anchor);
-  // Turned by a quarter, to be read from the right; centred.
-  void textUpwards(Point at, std::string_view words, const TextStyle& style);
-  // 10 and an exponent. The two meet in one place, whatever font the viewer has.
-  void powerOfTen(Point at, int exponent, const TextStyle& style, Anchor anchor);
-
-  double width() const { return width_; }
-  double height() const { return height_; }
-
-  // family: of the font, as in CSS.
-  std::string svg(std::string_view family) const;
-
- private:
-  double width_;
-  double height_;
-  std::string title_;
-  std::string description_;
-  std::string body_;
+  bool operator==(const Polyline&) const = default;
 };
 
-// How far words reach in DejaVu Sans, which is wider than most fonts.
-double textWidth(std::string_view words, double size);
-// Words that reach no farther than `width`, with an ellipsis where some had to go.
-std::string shortened(std::string_view words, double size, double width);
+// What the points enclose, without a rim.
+struct Area {
+  std::vector<Point> points;
+  Color fill;
+
+  bool operator==(const Area&) const = default;
+};
+
+struct Rectangle {
+  Box box;
+  Color fill = kNoColor;
+  Stroke stroke = kNoStroke;
+  double cornerRadius = 0.0;
+
+  bool operator==(const Rectangle&) const = default;
+};
+
+struct Disc {
+  Point centre;
+  double radius = 1.0;
+  Color fill = kNoColor;
+  Stroke stroke = kNoStroke;
+
+  bool operator==(const Disc&) const = default;
+};
+
+struct Text {
+  Point at;
+  std::string words;
+  TextStyle style;
+  Anchor anchor = Anchor::start;
+  bool upwards = false;  // turned by a quarter, to be read from the right
+
+  bool operator==(const Text&) const = default;
+};
+
+using Primitive = std::variant<Polyline, Area, Rectangle, Disc, Text>;
+
+struct Drawing {
+  double width = 0.0, height = 0.0;
+  std::string title;
+  std::string description;  // what a reader who cannot see it should know
+  std::vector<Primitive> primitives;
+
+  void add(Primitive primitive) { primitives.push_back(std::move(primitive)); }
+  void line(Point from, Point to, const Stroke& stroke) { add(Polyline{{from, to}, stroke}); }
+
+  bool operator==(const Drawing&) const = default;
+};
 
 }  // namespace cutis

@@ -1,9 +1,11 @@
 #include "src/report/picture_file.h"
 
 #include "src/files/io/atomic_write.h"
+#include "src/files/io/file_extension.h"
 #include "src/files/io/platform.h"
 #include "src/files/resources.h"
 #include "src/report/rasteriser.h"
+#include "src/report/svg.h"
 
 namespace cutis {
 namespace {
@@ -12,7 +14,7 @@ constexpr double kPngScale = 2.0;
 constexpr char kViewerFonts[] = "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif";
 
 bool isPng(const std::filesystem::path& path) {
-  return path.extension() == ".png";
+  return lowerExtension(path) == ".png";
 }
 
 // Null if it is not there.
@@ -30,7 +32,7 @@ Error noRasteriser(const std::filesystem::path& path) {
 }  // namespace
 
 Status checkDrawingOutput(const std::filesystem::path& path) {
-  if (path.extension() != ".svg" && !isPng(path)) {
+  if (lowerExtension(path) != ".svg" && !isPng(path)) {
     return usageError(path.string(),
                       "the plot is written as SVG or PNG; name the file with .svg or .png");
   }
@@ -39,10 +41,10 @@ Status checkDrawingOutput(const std::filesystem::path& path) {
 }
 
 Status writeDrawing(const std::filesystem::path& path, const Drawing& drawing) {
-  if (!isPng(path)) return writeTextAtomically(path, drawing.svg(kViewerFonts));
+  if (!isPng(path)) return writeTextAtomically(path, svgOf(drawing, kViewerFonts));
   const Rasterise rasterise = rasteriser();
   if (rasterise == nullptr) return noRasteriser(path);
-  const std::string svg = drawing.svg(kPlotFontFamily);
+  const std::string svg = svgOf(drawing, kPlotFontFamily);
   const std::string_view font = resource(kPlotFont).value_or(std::string_view());
   return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Status {
     const std::string name = temporary.string();

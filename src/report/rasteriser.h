@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/report
 
 // The way into the module that draws SVG as pixels: plain C, as it is found by name.
 

@@ -5,40 +5,13 @@
 #include <set>
 #include <sstream>
 
+#include "tests/architecture/house_plan.h"
+
 namespace cutis::test {
 namespace {
 
-// core: the chain base ← spectra ← skin ← rig ← neural ← fit …
-const std::vector<std::string> kChain = {"core/base",    "core/maths", "core/transport",
-                                         "core/spectra", "core/skin",  "core/rig",
-                                         "core/neural",  "core/fit"};
-// … and what stands on a part of it: edit and render never see rig or fit.
-const std::map<std::string, std::vector<std::string>> kBesideTheChain = {
-    {"core/edit", {"core/base", "core/spectra", "core/skin"}},
-    {"core/render", {"core/base", "core/spectra", "core/skin", "core/edit"}},
-    {"core/analyse", kChain},
-    {"core/calibrate", kChain},
-    {"core/simulate",
-     {"core/base", "core/spectra", "core/skin", "core/rig", "core/fit", "core/edit", "core/render",
-      "core/analyse"}},
-    {"core/evaluate",
-     {"core/base", "core/spectra", "core/skin", "core/rig", "core/fit", "core/simulate"}}};
-
-const std::vector<std::string> kReaders = {"src/images", "src/color", "src/register", "src/report"};
-
-bool isOneOf(const std::string& name, const std::vector<std::string>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool isCore(const std::string& folder) {
-  return isOneOf(folder, kChain) || kBesideTheChain.contains(folder);
-}
-
-bool coreMayUse(const std::string& from, const std::string& to) {
-  const auto beside = kBesideTheChain.find(from);
-  if (beside != kBesideTheChain.end()) return isOneOf(to, beside->second);
-  return std::find(kChain.begin(), kChain.end(), to) <
-         std::find(kChain.begin(), kChain.end(), from);
+  return folder.starts_with("core/");
 }
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -137,48 +110,28 @@ std::vector<Include> includesOf(const std::string& text) {
   return includes;
 }
 
-std::string folderOf(const std::string& path) {
-  const auto first = path.find('/');
-  if (first == std::string::npos) return {};
-  const std::string top = path.substr(0, first);
-  if (top == "ui" || top == "resources" || top == "tests") return top;
-  if (top != "core" && top != "src") return {};
-  const auto second = path.find('/', first + 1);
-  return second == std::string::npos ? std::string() : path.substr(0, second);
-}
-
-bool mayUse(const std::string& from, const std::string& to) {
-  if (from == to) return true;
-  if (isCore(from)) return coreMayUse(from, to);
-  const bool low = isCore(to) || to == "resources";
-  if (from == "src/files") return low;
-  if (isOneOf(from, kReaders)) return low || to == "src/files";
-  const bool middle = low || to == "src/files" || isOneOf(to, kReaders);
-  if (from == "src/app") return middle;
-  if (from == "src/cli") return middle || to == "src/app";
-  if (from == "ui") return (middle && to != "src/register") || to == "src/app";
-  if (from == "src/cutis") return middle || to == "src/app" || to == "ui";
-  return false;
-}
-
 std::vector<std::string> checkIncludes(const SourceTree& tree, const QtModuleOf& qtModuleOf) {
   std::vector<std::string> violations;
   for (const auto& [path, text] : tree) {
-    const std::string folder = folderOf(path);
-    if (folder == "tests" || folder == "resources") continue;
+    const std::string room = roomOf(path);
+    if (room == "tests" || room == "resources") continue;
+    if (!isRoom(room)) {
+      violations.push_back(path + ": " + room + " is not a room of tests/architecture/house_plan");
+      continue;
+    }
     for (const Include& include : includesOf(text)) {
       const std::string where = place(path, include.line) + ": ";
-      const std::string objection = libraryObjection(folder, include.name, qtModuleOf);
+      const std::string objection = libraryObjection(libraryOf(path), include.name, qtModuleOf);
       if (!objection.empty()) {
         violations.push_back(where + objection + " (" + include.name + ")");
         continue;
       }
       if (include.angled || include.name.ends_with(".moc")) continue;
-      const std::string used = folderOf(include.name);
+      const std::string used = roomOf(include.name);
       if (used.empty()) {
         violations.push_back(where + "\"" + include.name + "\" is not a path from the root");
-      } else if (!mayUse(folder, used)) {
-        violations.push_back(where + folder + " may not include " + used);
+      } else if (!mayInclude(room, used)) {
+        violations.push_back(where + room + " may not include " + used);
       }
     }
   }
@@ -218,7 +171,7 @@ std::vector<std::string> checkLinks(const std::string& report) {
       } else if (external) {
         const std::string objection = linkObjection(folder, name);
         if (!objection.empty()) violations.push_back(folder + ": " + objection);
-      } else if (!mayUse(folder, name)) {
+      } else if (!mayLink(folder, name)) {
         violations.push_back(folder + " may not link " + name);
       }
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-// The drawing of the house (directions of includes and links) as code. Every check returns
+// The plan of the house held against its include lines, links and texts. Every check returns
 // sentences, one per violation, each naming file and line; none means that all is well.
 
 #include <functional>
@@ -21,13 +21,6 @@ struct Include {
 
 // The #include lines of a text; comments do not count.
 std::vector<Include> includesOf(const std::string& text);
-
-// Where in the house a path lies: "core/skin", "src/files", "ui", "resources"; empty elsewhere.
-std::string folderOf(const std::string& path);
-
-// Whether files of one folder may include, and its library link, another. A folder that has no
-// place in the drawing may use nothing and be used by nobody.
-bool mayUse(const std::string& from, const std::string& to);
 
 // The Qt module of a header such as "QString" or "QtGui/QImage": "QtCore", "QtGui", …; empty if
 // unknown.

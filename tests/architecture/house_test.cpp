@@ -1,4 +1,4 @@
-// ARCHITECTURE.md, "Includes run only downwards": the rules on the house itself.
+// "Includes run only downwards" (ARCHITECTURE.md): the rules on the house itself.
 
 #include <filesystem>
 #include <fstream>
@@ -7,6 +7,8 @@
 #include <QLibraryInfo>
 #include <QtTest>
 
+#include "tests/architecture/header_rules.h"
+#include "tests/architecture/house_plan.h"
 #include "tests/architecture/house_rules.h"
 #include "tests/support/folders.h"
 #include "tests/support/test_registry.h"
@@ -63,6 +65,11 @@ class HouseTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void thePlanHasNoCircle() {
+    const auto errors = planErrors();
+    QVERIFY2(errors.empty(), qPrintable(joined(errors)));
+  }
+
   void includesRunDownwards() {
     const SourceTree tree = sources({"core", "src", "ui"}, {".h", ".cpp"});
     QVERIFY(tree.size() > 100);
@@ -82,6 +89,25 @@ class HouseTest : public QObject {
     const std::string report = textOf(buildFolder() / "links.txt");
     QVERIFY2(report.find("core/skin: core/base core/maths") != std::string::npos, report.c_str());
     const auto violations = checkLinks(report);
+    QVERIFY2(violations.empty(), qPrintable(joined(violations)));
+  }
+
+  void headersOpenWithASentence() {
+    std::vector<std::string> violations;
+    for (const auto& [path, text] : sources({"core", "src", "ui", "resources", "tests"}, {".h"})) {
+      for (const std::string& violation : checkOpening(path, text))
+        violations.push_back(violation);
+    }
+    QVERIFY2(violations.empty(), qPrintable(joined(violations)));
+  }
+
+  void internalHeadersAreToldApart() {
+    const auto violations = checkInternal(sources({"core", "src", "ui"}, {".h", ".cpp"}));
+    QVERIFY2(violations.empty(), qPrintable(joined(violations)));
+  }
+
+  void roomsAreSmall() {
+    const auto violations = checkRoomSizes(sources({"core", "src", "ui", "tests"}, {".h", ".cpp"}));
     QVERIFY2(violations.empty(), qPrintable(joined(violations)));
   }
 

@@ -10,6 +10,7 @@
 
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 #include "ui/view/oklab.h"
 
 namespace cutis {
@@ -41,7 +42,7 @@ QRgb asDeuteranope(QRgb color) {
   return qRgb(encoded(rg), encoded(rg), encoded(blue));
 }
 
-class ColorScaleTest : public QObject {
+class ColorScaleTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 #include "ui/widgets/neutral_slider.h"
 
 namespace cutis {
@@ -18,7 +19,7 @@ NeutralSlider* sliderNamed(EditPanel& panel, const QString& name) {
   return nullptr;
 }
 
-class EditPanelTest : public QObject {
+class EditPanelTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

@@ -6,11 +6,12 @@
 
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
 
-class EditorOptionsTest : public QObject {
+class EditorOptionsTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

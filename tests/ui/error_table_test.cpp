@@ -4,11 +4,12 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
 
-class ErrorTableTest : public QObject {
+class ErrorTableTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

@@ -8,21 +8,17 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
 
 using Subject = FitPanel::Subject;
 
-class FitPanelTest : public QObject {
+class FitPanelTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void init() {
-    panel_ = std::make_unique<FitPanel>();
-    panel_->show({}, Subject::photographs);
-  }
-
   void theKeyboardChooses() {
     QSignalSpy changed(panel_.get(), &FitPanel::changed);
     QTest::keyClick(box("Method"), Qt::Key_Down);
@@ -125,6 +121,11 @@ class FitPanelTest : public QObject {
   }
 
  private:
+  void setUp() override {
+    panel_ = std::make_unique<FitPanel>();
+    panel_->show({}, Subject::photographs);
+  }
+
   QComboBox* box(const QString& name) const {
     for (QComboBox* candidate : panel_->findChildren<QComboBox*>()) {
       if (candidate->accessibleName() == name) return candidate;

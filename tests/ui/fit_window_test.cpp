@@ -1,21 +1,21 @@
 // Profile, method and training in the window, by mouse and keys, on the embedded sample.
 
-#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/training/usual_training.h"
+#include "src/app/training/network_training.h"
 #include "src/files/networks/network_file.h"
 #include "src/files/resources.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
+#include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/dialogs/training_dialog.h"
 #include "ui/docks/fit_controller.h"
@@ -27,7 +27,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kPatienceMs = 120000;
+constexpr int kFitPatienceMs = 120000;
 
 NetworkTraining quickTraining(const Rig& rig, const std::string& profile) {
   NetworkTraining training = usualTraining(rig, profile);
@@ -38,7 +38,7 @@ NetworkTraining quickTraining(const Rig& rig, const std::string& profile) {
   return training;
 }
 
-class FitWindowTest : public QObject {
+class FitWindowTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
@@ -52,18 +52,6 @@ class FitWindowTest : public QObject {
     text.replace(text.find(thickness), thickness.size(), "\"thickness_mm\": 0.31");
     foreign_ = QString::fromStdString(folder_.write("foreign.json", text).string());
   }
-
-  void init() {
-    // What the platform without a display says of itself is no fault.
-    QTest::failOnWarning(QRegularExpression("^(?!This plugin does not support)"));
-    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
-    window_->training().setPlan(quickTraining);
-    window_->resize(1280, 800);
-    window_->show();
-    window_->openSample();
-    waitUntilIdle();
-  }
-  void cleanup() { window_.reset(); }
 
   void theProfileChangesThePictureAndTheWayBackIsTheSame() {
     QTest::keyClick(sliderNamed("Melanin"), Qt::Key_PageUp);
@@ -183,8 +171,8 @@ class FitWindowTest : public QObject {
     } else if (how == "strip") {
       Q_EMIT window_->progress().cancelWanted();
     } else {
-      window_->openSample();
-      QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), kPatienceMs);
+      window_->opener().openSample();
+      QTRY_VERIFY_WITH_TIMEOUT(!dialog.isVisible(), kFitPatienceMs);
     }
     QVERIFY(!dialog.isVisible() && !dialog.isTraining());
     QVERIFY(!window_->training().isTrained());
@@ -199,7 +187,7 @@ class FitWindowTest : public QObject {
     QVERIFY(window_->progress().jobRuns());
     QSignalSpy fitted(&window_->document(), &Document::fitted);
     window_->fit().fitWithProfile("li2024");
-    QTRY_COMPARE_WITH_TIMEOUT(fitted.count(), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(fitted.count(), 1, kFitPatienceMs);
     QTest::qWait(50);
     QVERIFY(window_->progress().jobRuns());
     QVERIFY(window_->training().dialog().isTraining());
@@ -232,23 +220,24 @@ class FitWindowTest : public QObject {
     }
   }
 
-  void shortcutsAreUnique() {
-    QStringList shortcuts;
-    for (const QAction* action : window_->findChildren<QAction*>()) {
-      for (const QKeySequence& keys : action->shortcuts())
-        shortcuts << keys.toString();
-    }
-    QVERIFY(shortcuts.contains("Ctrl+T"));
-    QCOMPARE(shortcuts.removeDuplicates(), 0);
+ private:
+  void tearDown() override { window_.reset(); }
+
+  void setUp() override {
+    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
+    window_->training().setPlan(quickTraining);
+    window_->resize(1280, 800);
+    window_->show();
+    window_->opener().openSample();
+    waitUntilIdle();
   }
 
- private:
   QString file(const std::string& name) const {
     return QString::fromStdString((folder_ / name).string());
   }
   void waitUntilIdle() {
     QTest::qWait(10);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kFitPatienceMs);
   }
   QImage pictureOf() const { return window_->viewport().grab().toImage(); }
   QRect viewOf() const {

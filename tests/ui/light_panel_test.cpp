@@ -6,13 +6,14 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
 
 const QVector<LightGroup> kLights = {{"Daylight", {"D50", "D65"}}, {"Tungsten", {"A"}}};
 
-class LightPanelTest : public QObject {
+class LightPanelTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

@@ -10,6 +10,9 @@
 
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
+#include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/open_controller.h"
 #include "ui/plot/spectrum_plot.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
@@ -22,7 +25,7 @@ namespace {
 
 constexpr int kPatienceMs = 120000;
 
-class MainWindowTest : public QObject {
+class MainWindowTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
@@ -32,13 +35,6 @@ class MainWindowTest : public QObject {
                        QString::fromStdString(folder_.path().string()));
     QCoreApplication::setOrganizationName("cutis-test");
   }
-
-  void init() {
-    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
-    window_->resize(1280, 800);
-    window_->show();
-  }
-  void cleanup() { window_.reset(); }
 
   void theSampleOpensAndIsFitted() {
     openSample();
@@ -79,7 +75,7 @@ class MainWindowTest : public QObject {
     }
     QTest::mouseRelease(slider, Qt::LeftButton, {}, middle + QPoint(40, 0));
     waitUntilIdle();
-    QCOMPARE(window_->layers().current(), ViewKind::editedAlbedo);
+    QCOMPARE(window_->views().current(), ViewKind::editedAlbedo);
     const double factor = slider->number();
     QVERIFY(factor > 1.1);
     QVERIFY(window_->viewport().grab().toImage() != before);
@@ -104,7 +100,7 @@ class MainWindowTest : public QObject {
     QVERIFY(button != nullptr);
     QTest::mouseClick(button, Qt::LeftButton);
     waitUntilIdle();
-    QCOMPARE(window_->layers().current(), ViewKind::ultraviolet);
+    QCOMPARE(window_->views().current(), ViewKind::ultraviolet);
     // Shown in grey.
     const QImage picture = window_->viewport().grab().toImage();
     const QPoint cheek = window_->viewport().toWidget({400, 400}).toPoint();
@@ -125,17 +121,17 @@ class MainWindowTest : public QObject {
     QTest::keyClicks(lights, "A");
     waitUntilIdle();
     QCOMPARE(lights->currentText(), "A");
-    QCOMPARE(window_->layers().current(), ViewKind::skin);
+    QCOMPARE(window_->views().current(), ViewKind::skin);
   }
 
   void theEditedAlbedoIsExported() {
     openSample();
     const QString plain = file("plain.png"), edited = file("edited.png");
-    window_->exportAlbedo(plain);
+    window_->exports().exportAlbedo(plain);
     waitUntilIdle();
     QTest::keyClick(sliderNamed("Melanin"), Qt::Key_PageUp);
     waitUntilIdle();
-    window_->exportAlbedo(edited);
+    window_->exports().exportAlbedo(edited);
     waitUntilIdle();
     const QImage a(plain), b(edited);
     QCOMPARE(a.size(), QSize(1024, 1024));
@@ -147,37 +143,37 @@ class MainWindowTest : public QObject {
 
   void whatCannotBeOpenedIsToldAndChangesNothing() {
     openSample();
-    window_->openPath(file("missing.exr"));
+    window_->opener().open(file("missing.exr"));
     waitUntilIdle();
     QVERIFY(window_->progress().message().contains("missing.exr"));
     QVERIFY(window_->document().isFitted());
     folder_.write("noise.png", "this is no picture");
-    window_->openPath(file("noise.png"));
+    window_->opener().open(file("noise.png"));
     waitUntilIdle();
     QVERIFY(window_->progress().message().contains("noise.png"));
   }
 
   void anExportThatCannotBeWrittenIsTold() {
     openSample();
-    window_->exportAlbedo(file("no/such/folder/a.png"));
+    window_->exports().exportAlbedo(file("no/such/folder/a.png"));
     waitUntilIdle();
     QVERIFY(window_->progress().message().contains("a.png"));
-    window_->exportAlbedo(file("a.gif"));
+    window_->exports().exportAlbedo(file("a.gif"));
     waitUntilIdle();
     QVERIFY(window_->progress().message().contains("a.gif"));
   }
 
   // The second opening replaces the first, wherever that was.
   void openingAgainReplacesWhatIsUnderWay() {
-    window_->openSample();
+    window_->opener().openSample();
     QTest::qWait(30);
-    window_->openSample();
+    window_->opener().openSample();
     waitUntilIdle();
     QVERIFY(window_->document().isFitted());
   }
 
   void cancellingStopsSoon() {
-    window_->openSample();
+    window_->opener().openSample();
     QTest::qWait(50);
     Q_EMIT window_->progress().cancelWanted();
     QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
@@ -185,13 +181,21 @@ class MainWindowTest : public QObject {
   }
 
   void closingWhileWorkingIsSafe() {
-    window_->openSample();
+    window_->opener().openSample();
     QTest::qWait(100);
     window_->close();
     window_.reset();
   }
 
  private:
+  void tearDown() override { window_.reset(); }
+
+  void setUp() override {
+    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
+    window_->resize(1280, 800);
+    window_->show();
+  }
+
   QString file(const std::string& name) const {
     return QString::fromStdString((folder_ / name).string());
   }
@@ -200,7 +204,7 @@ class MainWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
   }
   void openSample() {
-    window_->openSample();
+    window_->opener().openSample();
     waitUntilIdle();
     QVERIFY(window_->document().isFitted());
   }

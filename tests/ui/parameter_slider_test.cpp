@@ -8,29 +8,16 @@
 
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 #include "ui/widgets/neutral_slider.h"
 
 namespace cutis {
 namespace {
 
-class ParameterSliderTest : public QObject {
+class ParameterSliderTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void init() {
-    widget_ = std::make_unique<ParameterSlider>("Melanin", "Tans");
-    widget_->resize(240, 60);
-    widget_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(widget_.get()));
-    slider_ = widget_->findChild<NeutralSlider*>();
-    field_ = widget_->findChild<QDoubleSpinBox*>();
-    changed_ = std::make_unique<QSignalSpy>(widget_.get(), &ParameterSlider::valueChanged);
-  }
-  void cleanup() {
-    changed_.reset();
-    widget_.reset();
-  }
-
   void theScaleHasItsNeutralInTheMiddle() {
     const SliderScale scale;
     EXPECT_NEAR(scale.valueAt(0), 0, 0);
@@ -117,6 +104,21 @@ class ParameterSliderTest : public QObject {
   }
 
  private:
+  void tearDown() override {
+    changed_.reset();
+    widget_.reset();
+  }
+
+  void setUp() override {
+    widget_ = std::make_unique<ParameterSlider>("Melanin", "Tans");
+    widget_->resize(240, 60);
+    widget_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(widget_.get()));
+    slider_ = widget_->findChild<NeutralSlider*>();
+    field_ = widget_->findChild<QDoubleSpinBox*>();
+    changed_ = std::make_unique<QSignalSpy>(widget_.get(), &ParameterSlider::valueChanged);
+  }
+
   double dragged(Qt::KeyboardModifiers modifiers) {
     const QPoint middle = slider_->rect().center();
     QTest::mousePress(slider_, Qt::LeftButton, modifiers, middle);

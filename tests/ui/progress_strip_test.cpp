@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
@@ -17,7 +18,7 @@ QToolButton* button(ProgressStrip& strip, const QString& name) {
   return nullptr;
 }
 
-class ProgressStripTest : public QObject {
+class ProgressStripTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 #include "ui/widgets/recent_list.h"
 
 namespace cutis {
@@ -23,7 +24,7 @@ bool drop(QWidget& widget, const QList<QUrl>& urls) {
   return event.isAccepted();
 }
 
-class StartPageTest : public QObject {
+class StartPageTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
@@ -13,7 +14,7 @@ const QVector<LayerEntry> kLayers = {{"photo", "Photograph", "As taken"},
                                      {"melanin", "Melanin", "Volume fraction"},
                                      {"uva", "UVA", "Extrapolated"}};
 
-class LayerStripTest : public QObject {
+class LayerStripTest : public test::UiTest {
   Q_OBJECT
 
  private slots:

@@ -9,6 +9,7 @@
 
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
 
 namespace cutis {
 namespace {
@@ -22,23 +23,10 @@ void turnWheel(QWidget& widget, const QPointF& place, int notches) {
   QApplication::sendEvent(&widget, &event);
 }
 
-class ViewportTest : public QObject {
+class ViewportTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void init() {
-    view_ = std::make_unique<Viewport>();
-    view_->resize(824, 624);
-    view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
-    view_->setPictureSize(kWidth, kHeight);
-    moved_ = std::make_unique<QSignalSpy>(view_.get(), &Viewport::viewChanged);
-  }
-  void cleanup() {
-    moved_.reset();
-    view_.reset();
-  }
-
   void fitsANewPicture() {
     // 824 − 2 · 12 of margin for 1600 pixels.
     EXPECT_NEAR(view_->zoom(), 0.5, 1e-9);
@@ -93,19 +81,19 @@ class ViewportTest : public QObject {
     QCOMPARE(view_->samplingStep(), 16);
   }
 
-  void keysFitAndShowOneToOne() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+  void fitsAndShowsOneToOne() {
+    view_->zoomOneToOne();
     EXPECT_NEAR(view_->zoom(), 1, 0);
     QVERIFY(!view_->fitted());
     QCOMPARE(view_->samplingStep(), 1);
     QCOMPARE(view_->visibleRect().width(), 824);
-    QTest::keyClick(view_.get(), Qt::Key_F);
+    view_->fitPicture();
     EXPECT_NEAR(view_->zoom(), 0.5, 1e-9);
     QVERIFY(view_->fitted());
   }
 
   void oneToOneIsOnePixelPerPixel() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+    view_->zoomOneToOne();
     QImage image(kWidth, kHeight, QImage::Format_RGB32);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x)
@@ -145,7 +133,7 @@ class ViewportTest : public QObject {
   }
 
   void middleButtonAndSpacePan() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+    view_->zoomOneToOne();
     const QPointF before = view_->toWidget({0, 0});
     drag(Qt::MiddleButton, {400, 300}, {350, 280});
     QCOMPARE(view_->toWidget({0, 0}) - before, QPointF(-50, -20));
@@ -156,7 +144,7 @@ class ViewportTest : public QObject {
   }
 
   void arrowsPanButNeverLoseThePicture() {
-    QTest::keyClick(view_.get(), Qt::Key_1);
+    view_->zoomOneToOne();
     const QPointF before = view_->toWidget({0, 0});
     QTest::keyClick(view_.get(), Qt::Key_Right);
     QCOMPARE(view_->toWidget({0, 0}) - before, QPointF(-64, 0));
@@ -179,7 +167,7 @@ class ViewportTest : public QObject {
   }
 
   void saysNothingWhereNothingChanges() {
-    QTest::keyClick(view_.get(), Qt::Key_F);
+    view_->fitPicture();
     QCOMPARE(moved_->count(), 0);
   }
 
@@ -215,6 +203,20 @@ class ViewportTest : public QObject {
   }
 
  private:
+  void tearDown() override {
+    moved_.reset();
+    view_.reset();
+  }
+
+  void setUp() override {
+    view_ = std::make_unique<Viewport>();
+    view_->resize(824, 624);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    view_->setPictureSize(kWidth, kHeight);
+    moved_ = std::make_unique<QSignalSpy>(view_.get(), &Viewport::viewChanged);
+  }
+
   void drag(Qt::MouseButton button, const QPoint& from, const QPoint& to) {
     QTest::mousePress(view_.get(), button, {}, from);
     QTest::mouseMove(view_.get(), (from + to) / 2);

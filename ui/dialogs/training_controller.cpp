@@ -6,7 +6,7 @@
 #include <QFileDialog>
 
 #include "src/app/training/network_errors.h"
-#include "src/app/training/usual_training.h"
+#include "src/app/training/network_training.h"
 #include "ui/dialogs/training_dialog.h"
 
 namespace cutis {

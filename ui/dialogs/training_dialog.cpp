@@ -16,8 +16,8 @@
 namespace cutis {
 namespace {
 
-constexpr int kSteps = 1000;
-constexpr int kBarHeight = 10;
+constexpr int kProgressSteps = 1000;
+constexpr int kProgressHeight = 10;
 
 }  // namespace
 
@@ -34,9 +34,9 @@ TrainingDialog::TrainingDialog(QWidget* parent)
   setWindowTitle(tr("Train a network"));
   setAccessibleName(windowTitle());
   heading_->setWordWrap(true);
-  bar_->setRange(0, kSteps);
+  bar_->setRange(0, kProgressSteps);
   bar_->setTextVisible(false);
-  bar_->setFixedHeight(kBarHeight);
+  bar_->setFixedHeight(kProgressHeight);
   bar_->setAccessibleName(tr("Progress of the training"));
   status_->setWordWrap(true);
   use_->setProperty("primary", true);
@@ -100,7 +100,7 @@ void TrainingDialog::begin(const QString& rig, const QString& profile,
 
 void TrainingDialog::showProgress(double fraction, double secondsLeft) {
   if (!training_) return;
-  bar_->setValue(static_cast<int>(std::lround(kSteps * fraction)));
+  bar_->setValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
   QString text = tr("Looking at all skin of the profile");
   for (const LossCurve& curve : curves_) {
     if (!curve.heldOut.isEmpty()) {

@@ -6,16 +6,17 @@
 #include <QScopedValueRollback>
 
 #include "ui/docks/edit_panel.h"
+#include "ui/view/view_controller.h"
 
 namespace cutis {
 namespace {
 
-constexpr std::array<const char*, kParameterCount> kNames = {
-    QT_TRANSLATE_NOOP("EditController", "Melanin"),
-    QT_TRANSLATE_NOOP("EditController", "Melanin blend"),
-    QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
-    QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
-    QT_TRANSLATE_NOOP("EditController", "Carotene")};
+constexpr std::array kNames = {QT_TRANSLATE_NOOP("EditController", "Melanin"),
+                               QT_TRANSLATE_NOOP("EditController", "Melanin blend"),
+                               QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
+                               QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
+                               QT_TRANSLATE_NOOP("EditController", "Carotene")};
+static_assert(kNames.size() == kParameterCount, "a sixth has its name here");
 
 // Linked haemoglobins move together and are undone together.
 QString mergeGroupOf(int parameter) {
@@ -25,16 +26,20 @@ QString mergeGroupOf(int parameter) {
 
 }  // namespace
 
-EditController::EditController(Document& document, EditPanel& panel, QObject* parent)
-    : QObject(parent), document_(document), panel_(panel) {
+EditController::EditController(Document& document, ViewController& views, QObject* parent)
+    : QObject(parent), document_(document), views_(views) {
+  connect(&document, &Document::opened, this, &EditController::showFactors);
+  connect(&document, &Document::editsChanged, this, &EditController::showFactors);
+}
+
+void EditController::attach(EditPanel& panel) {
   connect(&panel, &EditPanel::factorChanged, this,
           [this](int parameter, double factor, bool stillMoving) {
             const QScopedValueRollback<bool> applying(applying_, true);
             setFactor(parameter, factor, stillMoving);
           });
   connect(&panel, &EditPanel::resetWanted, this, &EditController::reset);
-  connect(&document, &Document::opened, this, &EditController::showFactors);
-  connect(&document, &Document::editsChanged, this, &EditController::showFactors);
+  connect(this, &EditController::factorsChanged, &panel, &EditPanel::setFactors);
 }
 
 void EditController::setFactor(int parameter, double factor, bool stillMoving) {
@@ -48,6 +53,7 @@ void EditController::setFactor(int parameter, double factor, bool stillMoving) {
                    },
                    stillMoving});
   if (!stillMoving) document_.endGroup();
+  if (views_.current() == ViewKind::photograph) views_.show(ViewKind::editedAlbedo);
 }
 
 void EditController::reset() {
@@ -64,7 +70,7 @@ void EditController::showFactors() {
     for (std::size_t k = 0; k < factors.size(); ++k)
       factors[k] = edits.front().parameters[k].scale;
   }
-  panel_.setFactors(factors);
+  Q_EMIT factorsChanged(factors);
 }
 
 }  // namespace cutis

@@ -3,6 +3,8 @@
 // Joins the edit panel to the document: factors become commands, and undo moves the sliders back.
 // Interface thread only.
 
+#include <array>
+
 #include <QObject>
 
 #include "src/app/document/document.h"
@@ -10,22 +12,32 @@
 namespace cutis {
 
 class EditPanel;
+class ViewController;
 
 class EditController : public QObject {
   Q_OBJECT
 
  public:
   // Both outlive the controller.
-  EditController(Document& document, EditPanel& panel, QObject* parent = nullptr);
+  EditController(Document& document, ViewController& views, QObject* parent = nullptr);
 
+  // From now on the panel shows the factors and sets them.
+  void attach(EditPanel& panel);
+
+  // While the photograph is shown the edited albedo takes its place: an edit must be seen. Ignored
+  // while nothing is open.
   void setFactor(int parameter, double factor, bool stillMoving);
   void reset();
+
+ Q_SIGNALS:
+  // Indexed by Parameter.
+  void factorsChanged(const std::array<double, cutis::kParameterCount>& factors);
 
  private:
   void showFactors();
 
   Document& document_;
-  EditPanel& panel_;
+  ViewController& views_;
   bool applying_ = false;  // the change comes from the panel, which shows it already
 };
 

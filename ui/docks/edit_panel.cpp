@@ -4,7 +4,6 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -23,22 +22,16 @@ EditPanel::EditPanel(QWidget* parent)
       link_(new QCheckBox(tr("Link haemoglobins"), this)),
       reset_(new QPushButton(tr("Reset"), this)) {
   setAccessibleName(tr("Edit"));
-  auto* heading = new QLabel(tr("Edit"), this);
-  heading->setFont(theme::headingFont(*this));
   reset_->setToolTip(tr("Back to the skin as it was photographed; this can be undone"));
   reset_->setEnabled(false);
   link_->setChecked(true);
   link_->setToolTip(tr("Move both haemoglobins together, as a flush does"));
 
-  auto* head = new QHBoxLayout;
-  head->addWidget(heading);
-  head->addStretch(1);
-  head->addWidget(reset_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kHalfSpace);
-  column->addLayout(head);
 
+  static_assert(kParameterCount == 5, "a sixth has its slider here");
   addSlider(kMelanin, tr("Melanin"),
             tr("Pigment of the upper skin. More tans and darkens, and strengthens freckles and "
                "moles; less makes the skin paler."));
@@ -54,7 +47,11 @@ EditPanel::EditPanel(QWidget* parent)
   addSlider(kHaemoglobinEpidermal, tr("Haemoglobin epidermal"),
             tr("Blood close to the surface. More reddens blemishes and irritated skin; less "
                "calms them."));
-  column->addWidget(link_);
+  auto* foot = new QHBoxLayout;
+  foot->addWidget(link_);
+  foot->addStretch(1);
+  foot->addWidget(reset_);
+  column->addLayout(foot);
 
   connect(link_, &QCheckBox::toggled, this, &EditPanel::linkToggled);
   connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);

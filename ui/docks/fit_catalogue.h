@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/docks
 
 // What the fit panel offers, in the words of the window.
 

@@ -1,15 +1,19 @@
 #include "ui/docks/fit_controller.h"
 
+#include <QFileDialog>
+
 #include "ui/docks/fit_panel.h"
 
 namespace cutis {
 
-FitController::FitController(Document& document, FitPanel& panel, QObject* parent)
-    : QObject(parent), document_(document), panel_(panel) {
+FitController::FitController(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {}
+
+void FitController::attach(FitPanel& panel) {
   connect(&panel, &FitPanel::changed, this, &FitController::fitWith);
-  connect(&document, &Document::fitChoiceChanged, this, &FitController::showChoice);
-  connect(&document, &Document::fitted, &panel, &FitPanel::keepProfile);
-  connect(&document, &Document::networkMissing, &panel, &FitPanel::offerTraining);
+  connect(&document_, &Document::fitChoiceChanged, &panel, [this, &panel] { showChoice(panel); });
+  connect(&document_, &Document::fitted, &panel, &FitPanel::keepProfile);
+  connect(&document_, &Document::networkMissing, &panel, &FitPanel::offerTraining);
 }
 
 void FitController::fitWith(const FitChoice& choice) {
@@ -22,12 +26,18 @@ void FitController::fitWithProfile(const QString& nameOrPath) {
   fitWith(choice);
 }
 
-void FitController::showChoice() {
+void FitController::chooseProfile(QWidget& window) {
+  const QString file = QFileDialog::getOpenFileName(&window, tr("Load profile"), {},
+                                                    tr("Profiles (*.json);;All files (*)"));
+  if (!file.isEmpty()) fitWithProfile(file);
+}
+
+void FitController::showChoice(FitPanel& panel) const {
   using Subject = FitPanel::Subject;
   const bool isTexture = document_.canFit() && document_.scene().source->image.has_value();
-  panel_.show(document_.fitChoice(), !document_.canFit() ? Subject::maps
-                                     : isTexture         ? Subject::texture
-                                                         : Subject::photographs);
+  panel.show(document_.fitChoice(), !document_.canFit() ? Subject::maps
+                                    : isTexture         ? Subject::texture
+                                                        : Subject::photographs);
 }
 
 }  // namespace cutis

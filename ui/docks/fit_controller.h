@@ -7,6 +7,8 @@
 
 #include "src/app/document/document.h"
 
+class QWidget;
+
 namespace cutis {
 
 class FitPanel;
@@ -15,18 +17,22 @@ class FitController : public QObject {
   Q_OBJECT
 
  public:
-  // Both outlive the controller.
-  FitController(Document& document, FitPanel& panel, QObject* parent = nullptr);
+  // The document outlives the controller.
+  explicit FitController(Document& document, QObject* parent = nullptr);
+
+  // From now on the panel shows what is in force and chooses.
+  void attach(FitPanel& panel);
 
   // Ignored where there is nothing to fit.
   void fitWith(const FitChoice& choice);
   void fitWithProfile(const QString& nameOrPath);
+  // With a profile from a file, by a dialog before the window.
+  void chooseProfile(QWidget& window);
 
  private:
-  void showChoice();
+  void showChoice(FitPanel& panel) const;
 
   Document& document_;
-  FitPanel& panel_;
 };
 
 }  // namespace cutis

@@ -42,8 +42,6 @@ FitPanel::FitPanel(QWidget* parent)
 }
 
 void FitPanel::addForm() {
-  auto* heading = new QLabel(tr("Fit"), this);
-  heading->setFont(theme::headingFont(*this));
   for (QComboBox* box : {profile_, method_}) {
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   }
@@ -59,7 +57,6 @@ void FitPanel::addForm() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kSpace);
-  column->addWidget(heading);
   column->addLayout(form);
   column->addWidget(shading_);
   column->addWidget(offer_);
@@ -151,6 +148,7 @@ void FitPanel::showShading(const FitChoice& choice, Subject subject) {
 
 void FitPanel::offerTraining() {
   offer_->show();
+  Q_EMIT trainingOffered();
 }
 
 }  // namespace cutis

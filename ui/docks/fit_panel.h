@@ -41,6 +41,7 @@ class FitPanel : public QWidget {
   // By the user, also where the choice is what it was.
   void changed(const cutis::FitChoice& choice);
   void loadWanted();
+  void trainingOffered();
   void trainingWanted();
 
  private:

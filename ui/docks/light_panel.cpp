@@ -57,8 +57,6 @@ LightPanel::LightPanel(QWidget* parent)
       observers_(new QComboBox(this)),
       band_(new QLabel(this)) {
   setAccessibleName(tr("Light"));
-  auto* heading = new QLabel(tr("Light"), this);
-  heading->setFont(theme::headingFont(*this));
 
   auto* segments = new QHBoxLayout;
   segments->setSpacing(0);
@@ -99,7 +97,6 @@ LightPanel::LightPanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kSpace);
-  column->addWidget(heading);
   column->addLayout(segments);
   column->addWidget(pages_);
 

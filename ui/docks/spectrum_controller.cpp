@@ -3,6 +3,7 @@
 #include <QVector>
 
 #include "ui/plot/spectrum_plot.h"
+#include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"
 
 namespace cutis {
@@ -25,9 +26,11 @@ QString readoutOf(int x, int y, const ParameterVector& parameters) {
 
 }  // namespace
 
-SpectrumController::SpectrumController(Document& document, SpectrumPlot& plot,
+SpectrumController::SpectrumController(Document& document, Viewport& viewport, SpectrumPlot& plot,
                                        ProgressStrip& progress, QObject* parent)
     : QObject(parent), document_(document), plot_(plot), progress_(progress) {
+  connect(&viewport, &Viewport::cursorMoved, this, &SpectrumController::pointAt);
+  connect(&viewport, &Viewport::cursorLeft, this, &SpectrumController::leave);
   connect(&document, &Document::opened, this, &SpectrumController::forget);
   connect(&document, &Document::mapsChanged, this, &SpectrumController::refresh);
   connect(&document, &Document::sceneReplaced, this, &SpectrumController::refresh);

@@ -14,19 +14,19 @@ namespace cutis {
 
 class ProgressStrip;
 class SpectrumPlot;
+class Viewport;
 
 class SpectrumController : public QObject {
   Q_OBJECT
 
  public:
   // All outlive the controller.
-  SpectrumController(Document& document, SpectrumPlot& plot, ProgressStrip& progress,
-                     QObject* parent = nullptr);
-
-  void pointAt(int x, int y);
-  void leave();
+  SpectrumController(Document& document, Viewport& viewport, SpectrumPlot& plot,
+                     ProgressStrip& progress, QObject* parent = nullptr);
 
  private:
+  void pointAt(int x, int y);
+  void leave();
   void refresh();
   void forget();
 

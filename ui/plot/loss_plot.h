@@ -8,10 +8,11 @@
 
 #include <vector>
 
-#include <QRectF>
 #include <QString>
 #include <QVector>
 #include <QWidget>
+
+#include "ui/plot/panel_view.h"
 
 namespace cutis {
 
@@ -41,18 +42,17 @@ class LossPlot : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QRectF area() const;
-  // Of one network.
-  QRectF band(std::size_t curve) const;
+  Panel panel() const;
+  void addCurve(Panel& panel, const LossCurve& curve, double before) const;
+  // Epochs of the networks before one.
+  double epochsBefore(std::size_t curve) const;
+  QRectF outside() const;
   void fitAxis();
-  void drawErrors(QPainter& painter) const;
-  void drawBand(QPainter& painter, std::size_t curve) const;
-  void drawCurve(QPainter& painter, std::size_t curve, const QVector<double>& errors,
-                 const QPen& pen) const;
 
   std::vector<LossCurve> curves_;
   double minimum_ = 1e-4;
   double maximum_ = 1e-2;
+  mutable PanelView view_;
 };
 
 }  // namespace cutis

@@ -3,16 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 #include "core/spectra/grid.h"
-#include "ui/plot/axis_ticks.h"
-#include "ui/plot/plot_title.h"
+#include "ui/plot/window_theme.h"
 #include "ui/theme/theme.h"
 
 namespace cutis {
@@ -21,6 +18,12 @@ namespace {
 constexpr double kHeadroom = 1.03;
 constexpr int kKeySamples = 5;
 constexpr double kPointRadius = 3;
+constexpr double kCrosshairRadius = 4.5;
+constexpr int kReflectanceSteps = 5;
+constexpr int kWavelengthSteps = 7;
+// The longest number on the axis of reflectance, so that the axis does not move from pixel to
+// pixel.
+constexpr char kWidestNumber[] = "0.000";
 
 double largest(const QVector<double>& curve) {
   double most = 0;
@@ -32,6 +35,25 @@ double largest(const QVector<double>& curve) {
 
 QVector<double> onTheGrid(const QVector<double>& curve) {
   return curve.size() == kSampleCount ? curve : QVector<double>();
+}
+
+const std::vector<double>& gridNm() {
+  static const std::vector<double> values = [] {
+    std::vector<double> all;
+    for (int i = 0; i < kSampleCount; ++i)
+      all.push_back(wavelengthNm(i));
+    return all;
+  }();
+  return values;
+}
+
+int nearestSample(double nm) {
+  return static_cast<int>(std::lround((nm - kFirstWavelengthNm) / kWavelengthStepNm));
+}
+
+Shade shadeOf(const QString& name, const Band& band, Color color) {
+  return {static_cast<double>(wavelengthNm(band.first)),
+          static_cast<double>(wavelengthNm(band.last)), color, name.toStdString()};
 }
 
 }  // namespace
@@ -70,7 +92,7 @@ void SpectrumPlot::fitAxis() {
     const double end = channel.reflectance + channel.deviation;
     if (std::isfinite(end)) most = std::max(most, end);
   }
-  maximum_ = most > 0 ? niceCeiling(kHeadroom * most, kMostReflectanceSteps) : 1;
+  maximum_ = most > 0 ? niceCeiling(kHeadroom * most, kReflectanceSteps) : 1;
   update();
 }
 
@@ -81,122 +103,97 @@ QSize SpectrumPlot::minimumSizeHint() const {
   return {320, 140};
 }
 
-SpectrumAxes SpectrumPlot::axes() const {
-  return SpectrumAxes::within(QRectF(rect()), maximum_, font());
+QRectF SpectrumPlot::outside() const {
+  return QRectF(rect()).adjusted(theme::kSpace, theme::kSpace, 0, -theme::kHalfSpace);
+}
+
+const PlotTheme& SpectrumPlot::plotTheme() const {
+  return view_.themeFor(font());
+}
+
+PanelLayout SpectrumPlot::layout() const {
+  return view_.layOut(panel(), outside(), font());
 }
 
 QPointF SpectrumPlot::pointAt(double wavelengthNm, double reflectance) const {
-  return axes().pointAt(wavelengthNm, reflectance);
+  const Point place = layout().at(wavelengthNm, reflectance);
+  return {place.x, place.y};
 }
 
 void SpectrumPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.setFont(font());
   painter.fillRect(rect(), theme::tones().panel);
-  const SpectrumAxes frame = axes();
-  frame.drawBands(painter);
-  if (original_.isEmpty() && edited_.isEmpty()) {
-    frame.drawWavelengths(painter, {});
-    painter.setPen(theme::tones().text);
-    painter.drawText(frame.area, Qt::AlignCenter, tr("Point at the skin to see its spectrum"));
-  } else {
-    frame.drawReflectances(painter);
-    frame.drawWavelengths(painter, markedNm());
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setClipRect(frame.area.adjusted(0, -1, 0, 1));
-    drawCurve(painter, original_, firstCurvePen());
-    drawCurve(painter, edited_, secondCurvePen());
-    drawMeasured(painter);
-    painter.restore();
-    drawTitleLine(painter);
-    drawCrosshair(painter);
-  }
+  view_.paint(painter, panel(), outside(), font());
   if (hasFocus()) theme::drawFocusRing(painter, QRectF(rect()));
 }
 
-void SpectrumPlot::drawCurve(QPainter& painter, const QVector<double>& curve,
-                             const QPen& pen) const {
-  QPainterPath path;
-  bool drawing = false;
-  for (int i = 0; i < curve.size(); ++i) {
-    if (!std::isfinite(curve[i])) {
-      drawing = false;
-      continue;
-    }
-    const QPointF point = pointAt(wavelengthNm(i), curve[i]);
-    drawing ? path.lineTo(point) : path.moveTo(point);
-    drawing = true;
-  }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(pen);
-  painter.drawPath(path);
+Panel SpectrumPlot::emptyPanel() const {
+  const PlotTheme& theme = plotTheme();
+  Panel panel;
+  panel.title =
+      (heading_.isEmpty() ? tr("Reflectance") : tr("Reflectance, %1").arg(heading_)).toStdString();
+  panel.shades = {shadeOf(tr("UVA"), kUltravioletBand, theme.outerShade),
+                  shadeOf(tr("Visible"), kVisibleBand, theme.shade),
+                  shadeOf(tr("NIR"), kNearInfraredBand, theme.outerShade)};
+  panel.x = linearAxis(kFirstWavelengthNm, kLastWavelengthNm, kWavelengthSteps);
+  panel.x.unit = tr("nm").toStdString();
+  panel.x.hasGrid = false;
+  panel.y = linearAxis(0, maximum_, kReflectanceSteps, localTickWords);
+  panel.y.widest = kWidestNumber;
+  return panel;
 }
 
-void SpectrumPlot::drawMeasured(QPainter& painter) const {
+Panel SpectrumPlot::panel() const {
+  Panel panel = emptyPanel();
+  if (original_.isEmpty() && edited_.isEmpty()) {
+    panel.message = tr("Point at the skin to see its spectrum").toStdString();
+    return panel;
+  }
+  if (crosshair_) {
+    const double nm = wavelengthNm(*crosshair_);
+    panel.cursor = Tick{nm, tr("%1 nm").arg(nm).toStdString(), {}, false};
+  }
+  addCurve(panel, original_, tr("Original"), firstCurveStroke(plotTheme()));
+  addCurve(panel, edited_, tr("Edited"), secondCurveStroke(plotTheme()));
+  addMeasured(panel);
+  return panel;
+}
+
+// With a point where the crosshair is.
+void SpectrumPlot::addCurve(Panel& panel, const QVector<double>& values, const QString& name,
+                            const Stroke& stroke) const {
+  if (values.isEmpty()) return;
+  panel.curves.push_back({gridNm(), {values.begin(), values.end()}, stroke, {}});
+  panel.legend.push_back({legendText(name, values).toStdString(), stroke, {}});
+  if (!crosshair_) return;
+  PlotPoint point;
+  point.x = wavelengthNm(*crosshair_);
+  point.y = values[*crosshair_];
+  point.marker = {stroke.color, kCrosshairRadius};
+  panel.points.push_back(point);
+}
+
+void SpectrumPlot::addMeasured(Panel& panel) const {
+  if (measured_.isEmpty()) return;
+  const Marker marker = {plotTheme().ink, kPointRadius};
   for (const MeasuredChannel& channel : measured_) {
-    if (!std::isfinite(channel.reflectance)) continue;
-    const QPointF middle = pointAt(channel.wavelengthNm, channel.reflectance);
-    const auto bar = [&](double nm, double reflectance) {
-      painter.drawLine(pointAt(channel.wavelengthNm - nm, channel.reflectance - reflectance),
-                       pointAt(channel.wavelengthNm + nm, channel.reflectance + reflectance));
-    };
-    painter.setPen(QPen(theme::tones().text, 1));
-    bar(channel.halfWidthNm, 0);
-    bar(0, channel.deviation);
-    painter.setBrush(theme::tones().text);
-    painter.setPen(Qt::NoPen);
-    painter.drawEllipse(middle, kPointRadius, kPointRadius);
+    PlotPoint point;
+    point.x = channel.wavelengthNm;
+    point.y = channel.reflectance;
+    point.marker = marker;
+    point.across = {channel.wavelengthNm - channel.halfWidthNm,
+                    channel.wavelengthNm + channel.halfWidthNm};
+    point.upwards = {channel.reflectance - channel.deviation,
+                     channel.reflectance + channel.deviation};
+    panel.points.push_back(point);
   }
-}
-
-std::optional<double> SpectrumPlot::markedNm() const {
-  if (!crosshair_) return {};
-  return wavelengthNm(*crosshair_);
+  panel.legend.push_back({tr("Photograph").toStdString(), {marker.color, 1.0}, marker});
 }
 
 // With the value under the crosshair: there it hides no curve.
 QString SpectrumPlot::legendText(const QString& name, const QVector<double>& curve) const {
   if (!crosshair_ || !std::isfinite(curve[*crosshair_])) return name;
   return name + ' ' + QLocale().toString(curve[*crosshair_], 'f', 4);
-}
-
-void SpectrumPlot::drawTitleLine(QPainter& painter) const {
-  std::vector<LegendEntry> legend;
-  if (!original_.isEmpty()) {
-    legend.push_back({legendText(tr("Original"), original_), firstCurvePen()});
-  }
-  if (!edited_.isEmpty()) legend.push_back({legendText(tr("Edited"), edited_), secondCurvePen()});
-  if (!measured_.isEmpty()) {
-    legend.push_back({tr("Photograph"), QPen(theme::tones().text, 1), kPointRadius - 0.5});
-  }
-  const QString heading =
-      heading_.isEmpty() ? tr("Reflectance") : tr("Reflectance, %1").arg(heading_);
-  const QRectF area = axes().area;
-  const QRectF line(area.left(), theme::kSpace, area.width(), QFontMetricsF(font()).height());
-  drawPlotTitle(painter, line, heading, legend);
-}
-
-void SpectrumPlot::drawCrosshair(QPainter& painter) const {
-  if (!crosshair_) return;
-  const theme::Tones& tones = theme::tones();
-  const QRectF area = axes().area;
-  const double nm = wavelengthNm(*crosshair_);
-  const double x = pointAt(nm, 0).x();
-  painter.setPen(QPen(tones.dimText, 1));
-  painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  const auto mark = [&](const QVector<double>& curve, const QColor& color) {
-    if (curve.isEmpty() || !std::isfinite(curve[*crosshair_])) return;
-    painter.setPen(QPen(tones.field, 1.5));
-    painter.setBrush(color);
-    painter.drawEllipse(pointAt(nm, curve[*crosshair_]), 4, 4);
-  };
-  mark(original_, tones.original);
-  mark(edited_, tones.edited);
-  painter.restore();
 }
 
 void SpectrumPlot::setCrosshair(std::optional<int> sample) {
@@ -207,7 +204,11 @@ void SpectrumPlot::setCrosshair(std::optional<int> sample) {
 }
 
 void SpectrumPlot::mouseMoveEvent(QMouseEvent* event) {
-  setCrosshair(axes().sampleAt(event->position().x()));
+  const PanelLayout places = layout();
+  const double x = event->position().x();
+  const bool isInside = places.area.left <= x && x <= places.area.right;
+  const double nm = places.x.valueAt(x);
+  setCrosshair(isInside ? std::optional(nearestSample(nm)) : std::nullopt);
 }
 
 void SpectrumPlot::leaveEvent(QEvent*) {

@@ -13,7 +13,7 @@
 #include <QVector>
 #include <QWidget>
 
-#include "ui/plot/spectrum_axes.h"
+#include "ui/plot/panel_view.h"
 
 namespace cutis {
 
@@ -58,15 +58,18 @@ class SpectrumPlot : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  SpectrumAxes axes() const;
-  std::optional<double> markedNm() const;
+  // All that is to be seen, at the moment.
+  Panel panel() const;
+  Panel emptyPanel() const;
+  void addCurve(Panel& panel, const QVector<double>& values, const QString& name,
+                const Stroke& stroke) const;
+  void addMeasured(Panel& panel) const;
+  QString legendText(const QString& name, const QVector<double>& curve) const;
+  QRectF outside() const;
+  const PlotTheme& plotTheme() const;
+  PanelLayout layout() const;
   void setCrosshair(std::optional<int> sample);
   void fitAxis();
-  void drawCurve(QPainter& painter, const QVector<double>& curve, const QPen& pen) const;
-  void drawMeasured(QPainter& painter) const;
-  QString legendText(const QString& name, const QVector<double>& curve) const;
-  void drawTitleLine(QPainter& painter) const;
-  void drawCrosshair(QPainter& painter) const;
 
   QVector<double> original_;
   QVector<double> edited_;
@@ -74,6 +77,7 @@ class SpectrumPlot : public QWidget {
   QString heading_;
   double maximum_ = 1;
   std::optional<int> crosshair_;
+  mutable PanelView view_;
 };
 
 }  // namespace cutis

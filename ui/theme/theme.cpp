@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QPainter>
 #include <QPalette>
+#include <QPixmap>
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -31,6 +32,9 @@ Tones darkTones() {
   tones.gridLine = QColor(0x38, 0x38, 0x38);
   return tones;
 }
+
+constexpr int kSeparator = 5;     // between docks
+constexpr int kTitleButton = 20;  // of docks
 
 QPalette paletteOf(const Tones& tones) {
   QPalette palette(tones.raised, tones.panel);
@@ -75,6 +79,53 @@ void drawComboBox(QPainter& painter, const QStyleOptionComboBox& box) {
   if (box.state & QStyle::State_HasFocus) drawFocusRing(painter, QRectF(box.rect));
 }
 
+// Titles of docks are headings, as in a panel that cannot move.
+void drawDockTitle(QPainter& painter, const QStyleOptionDockWidget& dock, const QWidget* widget) {
+  painter.save();
+  painter.fillRect(dock.rect, tones().panel);
+  if (widget != nullptr) painter.setFont(headingFont(*widget));
+  const QRect place = dock.rect.adjusted(kDoubleSpace, 0, -kDoubleSpace, 0);
+  painter.setPen(tones().text);
+  painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(dock.title, Qt::ElideRight,
+                                                    place.width() - 2 * kTitleButton));
+  painter.restore();
+}
+
+// A line between docks that lights up where it can be dragged.
+void drawSeparator(QPainter& painter, const QStyleOption& option) {
+  const bool lit = option.state & QStyle::State_MouseOver;
+  painter.fillRect(option.rect, tones().panel);
+  const bool isUpright = option.rect.width() < option.rect.height();
+  const QPoint middle = option.rect.center();
+  const QRect line = isUpright ? QRect(middle.x(), option.rect.top(), 1, option.rect.height())
+                               : QRect(option.rect.left(), middle.y(), option.rect.width(), 1);
+  painter.fillRect(line, lit ? tones().accent : tones().field);
+}
+
+// Drawn, so that they are sharp at 1.5 × and their grey is that of the theme.
+QIcon titleIcon(QStyle::StandardPixmap which) {
+  QIcon icon;
+  for (const int size : {16, 24, 32}) {
+    QPixmap pixmap(size, size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(size / 16.0, size / 16.0);
+    painter.setPen(QPen(tones().dimText, 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    if (which == QStyle::SP_TitleBarCloseButton) {
+      painter.drawLine(QPointF(4.5, 4.5), QPointF(11.5, 11.5));
+      painter.drawLine(QPointF(4.5, 11.5), QPointF(11.5, 4.5));
+    } else {
+      painter.drawRect(QRectF(3.5, 6.5, 6, 6));
+      painter.drawPolyline(
+          QPolygonF({{6.5, 6.5}, {6.5, 3.5}, {12.5, 3.5}, {12.5, 9.5}, {9.5, 9.5}}));
+    }
+    icon.addPixmap(pixmap);
+  }
+  return icon;
+}
+
 // Fusion hints at the focus too faintly for a dark theme.
 class Style : public QProxyStyle {
  public:
@@ -82,7 +133,9 @@ class Style : public QProxyStyle {
 
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
-    if (element != PE_FrameFocusRect) {
+    if (element == PE_IndicatorDockWidgetResizeHandle) {
+      drawSeparator(*painter, *option);
+    } else if (element != PE_FrameFocusRect) {
       QProxyStyle::drawPrimitive(element, option, painter, widget);
     } else if (option->state & State_KeyboardFocusChange) {
       drawFocusRing(*painter, QRectF(option->rect));
@@ -97,6 +150,30 @@ class Style : public QProxyStyle {
     } else {
       QProxyStyle::drawComplexControl(control, option, painter, widget);
     }
+  }
+
+  void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                   const QWidget* widget) const override {
+    const auto* dock = qstyleoption_cast<const QStyleOptionDockWidget*>(option);
+    if (element == CE_DockWidgetTitle && dock) {
+      drawDockTitle(*painter, *dock, widget);
+    } else {
+      QProxyStyle::drawControl(element, option, painter, widget);
+    }
+  }
+
+  QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
+                     const QWidget* widget) const override {
+    const bool ofTitle = which == SP_TitleBarCloseButton || which == SP_TitleBarNormalButton;
+    return ofTitle ? titleIcon(which) : QProxyStyle::standardIcon(which, option, widget);
+  }
+
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override {
+    if (metric == PM_DockWidgetSeparatorExtent) return kSeparator;
+    if (metric == PM_DockWidgetTitleMargin) return kHalfSpace;
+    if (metric == PM_DockWidgetTitleBarButtonMargin) return 1;
+    return QProxyStyle::pixelMetric(metric, option, widget);
   }
 
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -115,6 +192,7 @@ constexpr const char* kStyleSheet = R"(
 QToolTip { color: @text; background: #141414; border: 1px solid @line; padding: 4px; }
 QPushButton { color: @text; background: @raised; border: 1px solid @line; border-radius: 4px;
   padding: 4px 12px; }
+QMenuBar QPushButton { padding: 1px 12px; }
 QPushButton:hover { background: #474747; }
 QPushButton:pressed { background: @field; }
 QPushButton:disabled { color: #787878; background: transparent; border-color: #3a3a3a; }
@@ -129,6 +207,12 @@ QToolButton[segment="true"]:hover { color: @text; }
 QToolButton[segment="true"]:checked { color: @text; background: @raised;
   border-bottom: 2px solid @accent; padding-bottom: 3px; }
 QToolButton[segment="true"]:focus { border: 1px solid @accent; }
+QTabBar { qproperty-drawBase: 0; }
+QTabBar::tab { color: @dim; background: transparent; border: none;
+  border-bottom: 2px solid transparent; padding: 4px 12px; }
+QTabBar::tab:hover { color: @text; }
+QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
+QTabBar::tab:focus { border: 1px solid @accent; }
 QProgressBar { background: @field; border: 1px solid @line; border-radius: 4px; }
 QProgressBar::chunk { background: @accent; border-radius: 3px; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }

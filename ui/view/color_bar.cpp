@@ -6,8 +6,8 @@
 #include <QImage>
 #include <QPainter>
 
-#include "ui/plot/axis_ticks.h"
 #include "ui/theme/theme.h"
+#include "ui/view/range_texts.h"
 
 namespace cutis {
 namespace {

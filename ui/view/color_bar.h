@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/view
 
 // The labelled colour bar that lies over a false-colour picture: the field's name and unit, the
 // colours from minimum to maximum, and the numbers at both ends and the middle.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/view
 
 // What the view has of the picture: a coarse whole, and a part in detail above it.
 

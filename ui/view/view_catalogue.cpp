@@ -1,6 +1,7 @@
 #include "ui/view/view_catalogue.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <QCoreApplication>
 
@@ -11,8 +12,23 @@ QString tr(const char* text) {
   return QCoreApplication::translate("LayerCatalogue", text);
 }
 
+QString textOf(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+// Of one of the parameters, in its unit.
+LayerDescription mapOf(ViewKind kind, const QString& name, const QString& toolTip) {
+  LayerDescription map;
+  map.kind = kind;
+  map.id = textOf(parameterName(*parameterOf(kind)));
+  map.name = name;
+  map.toolTip = toolTip;
+  map.scale = ScaleKind::sequential;
+  map.unit = textOf(parameterUnit(*parameterOf(kind)));
+  return map;
+}
+
 std::vector<LayerDescription> makeCatalogue() {
-  constexpr auto sequential = ScaleKind::sequential;
   constexpr auto grey = ScaleKind::grey;
   return {
       {ViewKind::photograph,
@@ -36,17 +52,14 @@ std::vector<LayerDescription> makeCatalogue() {
        std::nullopt,
        {},
        false},
-      {ViewKind::melanin, "melanin", tr("Melanin"), tr("Share of the epidermis that is melanin"),
-       sequential, tr("volume fraction"), false},
-      {ViewKind::melaninBlend, "melanin_blend", tr("Melanin blend"),
-       tr("Share of eumelanin (brown to black); the rest is pheomelanin (red to yellow)"),
-       sequential, tr("share of eumelanin"), false},
-      {ViewKind::haemoglobinDermal, "haemoglobin_dermal", tr("Haemoglobin dermal"),
-       tr("Share of the dermis that is blood"), sequential, tr("volume fraction"), false},
-      {ViewKind::haemoglobinEpidermal, "haemoglobin_epidermal", tr("Haemoglobin epidermal"),
-       tr("Share of blood near the surface"), sequential, tr("volume fraction"), false},
-      {ViewKind::carotene, "carotene", tr("Carotene"), tr("β-Carotene in the epidermis"),
-       sequential, tr("g/L"), false},
+      mapOf(ViewKind::melanin, tr("Melanin"), tr("Share of the epidermis that is melanin")),
+      mapOf(ViewKind::melaninBlend, tr("Melanin blend"),
+            tr("Share of eumelanin (brown to black); the rest is pheomelanin (red to yellow)")),
+      mapOf(ViewKind::haemoglobinDermal, tr("Haemoglobin dermal"),
+            tr("Share of the dermis that is blood")),
+      mapOf(ViewKind::haemoglobinEpidermal, tr("Haemoglobin epidermal"),
+            tr("Share of blood near the surface")),
+      mapOf(ViewKind::carotene, tr("Carotene"), tr("β-Carotene in the epidermis")),
       {ViewKind::ultraviolet, "uv", tr("UV"),
        tr("Mean reflectance from 300 to 400 nm; predicted by the model, not measured"), grey,
        tr("reflectance"), false},

@@ -9,10 +9,6 @@
 namespace cutis {
 namespace {
 
-constexpr int kDetailPriority = 0;
-constexpr int kOverviewPriority = 1;
-constexpr int kThumbnailPriority = 2;
-
 // Samples along the longer side.
 constexpr int kThumbnailSize = 160;
 constexpr int kOverviewSize = 512;
@@ -26,56 +22,65 @@ ViewRequest wholePicture(ViewKind layer, const Scene& scene, int size) {
 }  // namespace
 
 ViewController::ViewController(Document& document, ViewServer& server, Viewport& viewport,
-                               ViewStrip& strip, QObject* parent)
+                               QObject* parent)
     : QObject(parent),
       document_(document),
       server_(server),
       viewport_(viewport),
-      strip_(strip),
-      detailWatch_(server.watch(kDetailPriority,
+      detailWatch_(server.watch(ViewPriority::detail,
                                 [this](const Part& part) {
                                   detail_ = part;
                                   showDetail();
                                 })),
-      overviewWatch_(server.watch(kOverviewPriority, [this](const Part& part) {
+      overviewWatch_(server.watch(ViewPriority::overview, [this](const Part& part) {
         overview_ = part;
         showOverview();
       })) {
   connect(&document, &Document::opened, this, &ViewController::open);
   connect(&document, &Document::sceneReplaced, this, [this] { ranges_.clear(); });
   connect(&viewport, &Viewport::viewChanged, this, &ViewController::wantDetail);
-  connect(&strip, &ViewStrip::chosen, this, [this](const QString& id) {
-    if (const auto layer = layerById(id)) show(*layer);
-  });
 }
 
 ViewController::~ViewController() = default;
+
+void ViewController::attach(ViewStrip& strip) {
+  strip_ = &strip;
+  connect(&strip, &ViewStrip::chosen, this, [this](const QString& id) {
+    if (const auto layer = layerById(id)) show(*layer);
+  });
+  if (document_.isOpen()) fillStrip();
+}
 
 void ViewController::open() {
   const Scene& scene = document_.scene();
   detail_ = nullptr;
   overview_ = nullptr;
   ranges_.clear();
-  thumbnailWatches_.clear();
-  QVector<LayerEntry> entries;
-  for (const LayerDescription& layer : layerCatalogue()) {
-    if (!isOffered(layer.kind)) continue;
-    entries.push_back({layer.id, layer.name, layer.toolTip});
-    auto watch =
-        server_.watch(kThumbnailPriority, [this](const Part& part) { takeThumbnail(part); });
-    watch->want(wholePicture(layer.kind, scene, kThumbnailSize));
-    thumbnailWatches_.push_back(std::move(watch));
-  }
-  strip_.setLayers({});
-  strip_.setLayers(entries);
   current_ = scene.source ? ViewKind::photograph : ViewKind::skin;
-  strip_.setCurrent(describe(current_).id);
+  fillStrip();
   viewport_.clear();
   viewport_.setPictureSize(scene.width(), scene.height());
   wantDetail();
   wantOverview();
   showColorBar();
   Q_EMIT currentChanged();
+}
+
+void ViewController::fillStrip() {
+  thumbnailWatches_.clear();
+  if (strip_ == nullptr) return;
+  QVector<LayerEntry> entries;
+  for (const LayerDescription& layer : layerCatalogue()) {
+    if (!isOffered(layer.kind)) continue;
+    entries.push_back({layer.id, layer.name, layer.toolTip});
+    auto watch =
+        server_.watch(ViewPriority::thumbnail, [this](const Part& part) { takeThumbnail(part); });
+    watch->want(wholePicture(layer.kind, document_.scene(), kThumbnailSize));
+    thumbnailWatches_.push_back(std::move(watch));
+  }
+  strip_->setLayers({});
+  strip_->setLayers(entries);
+  strip_->setCurrent(describe(current_).id);
 }
 
 bool ViewController::isOffered(ViewKind layer) const {
@@ -85,7 +90,7 @@ bool ViewController::isOffered(ViewKind layer) const {
 void ViewController::show(ViewKind layer) {
   if (!isOffered(layer) || layer == current_) return;
   current_ = layer;
-  strip_.setCurrent(describe(layer).id);
+  if (strip_ != nullptr) strip_->setCurrent(describe(layer).id);
   wantDetail();
   wantOverview();
   showColorBar();
@@ -102,19 +107,15 @@ void ViewController::wantOverview() {
   overviewWatch_->want(wholePicture(current_, document_.scene(), kOverviewSize));
 }
 
-bool ViewController::isNeutral() const {
-  const EditStack& edits = document_.scene().edits;
-  return std::all_of(edits.begin(), edits.end(), [](const Edit& edit) { return edit.isNeutral(); });
-}
-
 void ViewController::takeThumbnail(const Part& part) {
   takeRange(part);
-  strip_.setThumbnail(describe(part->request.layer).id, imageOf(*part));
+  strip_->setThumbnail(describe(part->request.layer).id, imageOf(*part));
 }
 
 void ViewController::takeRange(const Part& part) {
   const ViewKind layer = part->request.layer;
-  if (!describe(layer).scale || (!isNeutral() && ranges_.contains(layer))) return;
+  const bool edited = !isNeutral(document_.scene().edits);
+  if (!describe(layer).scale || (edited && ranges_.contains(layer))) return;
   ranges_[layer] = rangeOf(*part);
   if (layer != current_) return;
   showDetail();

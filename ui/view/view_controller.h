@@ -1,6 +1,6 @@
 #pragma once
 
-// Joins the layers of a document to the viewport and the layers strip: asks the layer server for
+// Joins the views of a document to the viewport and the strip of views: asks the view server for
 // what is in view, turns it into images, keeps the ranges of the false colours.
 //
 // Interface thread only.
@@ -25,12 +25,18 @@ class ViewController : public QObject {
 
  public:
   // All outlive the controller.
-  ViewController(Document& document, ViewServer& server, Viewport& viewport, ViewStrip& strip,
+  ViewController(Document& document, ViewServer& server, Viewport& viewport,
                  QObject* parent = nullptr);
   ~ViewController() override;
 
+  // From now on the strip, which outlives the controller, shows the views and chooses one. At most
+  // one strip.
+  void attach(ViewStrip& strip);
+
   ViewKind current() const { return current_; }
-  // A layer that the document does not have is ignored.
+  // Whether the document has such a view.
+  bool isOffered(ViewKind layer) const;
+  // A view that the document does not have is ignored.
   void show(ViewKind layer);
 
  Q_SIGNALS:
@@ -40,7 +46,7 @@ class ViewController : public QObject {
   using Part = std::shared_ptr<const ViewPart>;
 
   void open();
-  bool isOffered(ViewKind layer) const;
+  void fillStrip();
   void wantDetail();
   void wantOverview();
   void takeThumbnail(const Part& part);
@@ -49,12 +55,11 @@ class ViewController : public QObject {
   void showOverview();
   void showColorBar();
   QImage imageOf(const ViewPart& part) const;
-  bool isNeutral() const;
 
   Document& document_;
   ViewServer& server_;
   Viewport& viewport_;
-  ViewStrip& strip_;
+  ViewStrip* strip_ = nullptr;
   ViewKind current_ = ViewKind::photograph;
   // Of the unedited maps, so that an edit is seen as a change of colour; of the edited ones where
   // there are no others yet.

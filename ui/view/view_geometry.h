@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/view
 
 // Where the picture lies in the view: zoom, pan, fit, and which pixels are seen.
 //

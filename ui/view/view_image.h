@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/view
 
 // Parts of layers as images for the screen.
 

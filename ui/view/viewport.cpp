@@ -84,6 +84,14 @@ void Viewport::zoomBy(double factor) {
   viewMoved();
 }
 
+void Viewport::zoomIn() {
+  zoomBy(kZoomPerNotch);
+}
+
+void Viewport::zoomOut() {
+  zoomBy(1 / kZoomPerNotch);
+}
+
 QPointF Viewport::anchor() const {
   return cursor_ ? *cursor_ * devicePixelRatioF() : geometry_.middle();
 }
@@ -205,15 +213,6 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
   const double far = kArrowDistance * devicePixelRatioF();
   QPointF move;
   switch (event->key()) {
-    case Qt::Key_F:
-      return fitPicture();
-    case Qt::Key_1:
-      return zoomOneToOne();
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      return zoomBy(kZoomPerNotch);
-    case Qt::Key_Minus:
-      return zoomBy(1 / kZoomPerNotch);
     case Qt::Key_Left:
       move = {far, 0};
       break;

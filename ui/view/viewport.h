@@ -4,8 +4,8 @@
 // owner computes the visible pixels at that step and hands them back by setDetail. Until they come
 // the overview, stretched, stands in, so that panning and zooming never wait.
 //
-// Keys: F whole picture, 1 one image pixel per device pixel, + and − zoom, arrows pan; wheel zooms
-// about the cursor; space and drag, or the middle button, pan. Interface thread only.
+// The arrow keys pan, and so do space and drag, or the middle button; the wheel zooms about the
+// cursor. Interface thread only.
 
 #include <optional>
 
@@ -53,6 +53,9 @@ class Viewport : public QWidget {
   // About the cursor if it is over the view, else about the middle.
   void zoomOneToOne();
   void zoomBy(double factor);
+  // By one notch of the wheel.
+  void zoomIn();
+  void zoomOut();
 
  Q_SIGNALS:
   // The pixels in view (cut to the picture; empty if it is out of view) and the largest sampling

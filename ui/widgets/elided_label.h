@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/widgets
 
 // A line of text that is shortened with "…" where there is no room; the whole of it is its tool tip
 // then.

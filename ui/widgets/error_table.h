@@ -1,5 +1,7 @@
 #pragma once
 
+// The errors of trained networks as a table. Interface thread only.
+
 #include <QWidget>
 
 #include "src/app/training/network_errors.h"

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/widgets
 
 // A slider with its neutral value in the middle: the groove fills from there, a double click goes
 // back there. Shift makes drag and keys ten times finer. The wheel acts only when it has the focus,

@@ -1,42 +1,37 @@
 #include "ui/window/main_window.h"
 
+#include <QAction>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QFileDialog>
-#include <QFileInfo>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSettings>
-#include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "src/app/export/albedo_export.h"
+#include "ui/commands/command_registry.h"
+#include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
-#include "ui/docks/edit_panel.h"
 #include "ui/docks/fit_controller.h"
-#include "ui/docks/fit_panel.h"
-#include "ui/docks/light_catalogue.h"
-#include "ui/docks/light_panel.h"
-#include "ui/docks/spectrum_controller.h"
-#include "ui/plot/spectrum_plot.h"
+#include "ui/docks/light_controller.h"
+#include "ui/docks/workspace.h"
 #include "ui/theme/theme.h"
 #include "ui/view/view_controller.h"
-#include "ui/view/view_strip.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"
+#include "ui/window/command_catalogue.h"
+#include "ui/window/dock_catalogue.h"
+#include "ui/window/job_display.h"
 #include "ui/window/start_page.h"
 
 namespace cutis {
 namespace {
 
-constexpr int kSidePanelWidth = 300;
-constexpr int kPlotHeight = 220;
-constexpr int kMostRecentFiles = 8;
-constexpr char kRecentFiles[] = "recentFiles";
 constexpr char kGeometry[] = "geometry";
+constexpr char kLayout[] = "layout";
 
 }  // namespace
 
@@ -48,22 +43,42 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
       pages_(new QStackedWidget(this)),
       start_(new StartPage(this)),
       viewport_(new Viewport(this)),
-      strip_(new ViewStrip(this)),
-      plot_(new SpectrumPlot(this)),
-      editPanel_(new EditPanel(this)),
-      lightPanel_(new LightPanel(this)),
-      fitPanel_(new FitPanel(this)),
+      workspace_(new Workspace(viewport_, this)),
       progress_(new ProgressStrip(this)),
       exportButton_(new QPushButton(tr("Export edited albedo…"), this)),
-      layers_(new ViewController(*document_, *server_, *viewport_, *strip_, this)),
-      edits_(new EditController(*document_, *editPanel_, this)),
-      spectrum_(new SpectrumController(*document_, *plot_, *progress_, this)),
-      fit_(new FitController(*document_, *fitPanel_, this)),
-      training_(new TrainingController(*document_, *engine_, jobs_, this)) {
-  lightPanel_->setLights(lightGroups());
-  lightPanel_->setObservers(observerChoices());
+      commands_(new CommandRegistry(*this)),
+      views_(std::make_unique<ViewController>(*document_, *server_, *viewport_)),
+      edits_(std::make_unique<EditController>(*document_, *views_)),
+      light_(std::make_unique<LightController>(*server_, *views_)),
+      fit_(std::make_unique<FitController>(*document_)),
+      training_(std::make_unique<TrainingController>(*document_, *engine_, jobs_, this)),
+      opener_(std::make_unique<OpenController>(*document_, *progress_, this)),
+      exports_(std::make_unique<ExportController>(*document_, *engine_, jobs_, *progress_, this)) {
+  new JobDisplay(jobs_, *progress_, this);
+  fillTables();
+  layOut();
+  connectStartPage();
+  connectDocument();
+  restoreSettings();
+  refreshCommands();
+}
+
+MainWindow::~MainWindow() {
+  jobs_.stopAll();
+}
+
+void MainWindow::fillTables() {
+  const Editor editor = {*this,      *document_, *server_,    *views_,   *edits_,
+                         *light_,    *fit_,      *training_,  *opener_,  *exports_,
+                         *viewport_, *progress_, *workspace_, *commands_};
+  workspace_->add(dockCatalogue(editor));
+  commands_->add(commandCatalogue(editor));
+  commands_->fill(*menuBar());
+}
+
+void MainWindow::layOut() {
   pages_->addWidget(start_);
-  pages_->addWidget(makeWorkArea());
+  pages_->addWidget(workspace_);
   auto* central = new QWidget(this);
   auto* column = new QVBoxLayout(central);
   column->setContentsMargins(0, 0, 0, 0);
@@ -72,220 +87,60 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
   column->addWidget(progress_);
   setCentralWidget(central);
   setAcceptDrops(true);
-  makeMenus();
-  connectJobs();
+  // The way out stays in sight, whatever the docks do.
+  auto* corner = new QWidget(this);
+  auto* row = new QHBoxLayout(corner);
+  row->setContentsMargins(0, 2, theme::kSpace, 1);
+  row->addWidget(exportButton_);
+  menuBar()->setCornerWidget(corner);
+  exportButton_->hide();
+  connect(exportButton_, &QPushButton::clicked, this, [this] { commands_->run("file.export"); });
+}
 
-  connect(start_, &StartPage::sampleWanted, this, &MainWindow::openSample);
-  connect(start_, &StartPage::captureWanted, this, &MainWindow::chooseCapture);
-  connect(start_, &StartPage::imageWanted, this, &MainWindow::chooseImage);
-  connect(start_, &StartPage::fileWanted, this, &MainWindow::openPath);
+void MainWindow::connectStartPage() {
+  connect(start_, &StartPage::sampleWanted, this, [this] { commands_->run("file.openSample"); });
+  connect(start_, &StartPage::captureWanted, this, [this] { commands_->run("file.openCapture"); });
+  connect(start_, &StartPage::imageWanted, this, [this] { commands_->run("file.openImage"); });
+  connect(start_, &StartPage::fileWanted, opener_.get(), &OpenController::open);
   connect(start_, &StartPage::filesWanted, this,
-          [this](const QStringList& paths) { openPath(paths.first()); });
-  connect(viewport_, &Viewport::cursorMoved, spectrum_, &SpectrumController::pointAt);
-  connect(viewport_, &Viewport::cursorLeft, spectrum_, &SpectrumController::leave);
-  connect(exportButton_, &QPushButton::clicked, this, &MainWindow::chooseExport);
-  connect(fitPanel_, &FitPanel::loadWanted, this, &MainWindow::chooseProfile);
-  connect(fitPanel_, &FitPanel::trainingWanted, training_, &TrainingController::train);
-  connect(lightPanel_, &LightPanel::changed, this, &MainWindow::setLight);
-  connect(layers_, &ViewController::currentChanged, this, &MainWindow::syncLight);
-  // An edit of what is on the screen must be seen.
-  connect(editPanel_, &EditPanel::factorChanged, this, [this] {
-    if (layers_->current() == ViewKind::photograph) layers_->show(ViewKind::editedAlbedo);
-  });
-  restoreSettings();
-  updateActions();
+          [this](const QStringList& paths) { opener_->open(paths.first()); });
 }
 
-MainWindow::~MainWindow() {
-  jobs_.stopAll();
-}
-
-QWidget* MainWindow::makeWorkArea() {
-  plot_->setMinimumHeight(kPlotHeight / 2);
-  auto* middle = new QSplitter(Qt::Vertical, this);
-  middle->addWidget(viewport_);
-  middle->addWidget(plot_);
-  middle->setStretchFactor(0, 1);
-  middle->setSizes({2 * kPlotHeight, kPlotHeight});
-  middle->setChildrenCollapsible(false);
-
-  auto* area = new QWidget(this);
-  auto* row = new QHBoxLayout(area);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
-  row->addWidget(strip_);
-  row->addWidget(middle, 1);
-  row->addWidget(makeSidePanel());
-  return area;
-}
-
-QWidget* MainWindow::makeSidePanel() {
-  auto* content = new QWidget(this);
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(theme::kDoubleSpace, theme::kSpace, theme::kDoubleSpace, 0);
-  column->setSpacing(theme::kDoubleSpace);
-  column->addWidget(editPanel_);
-  column->addWidget(lightPanel_);
-  column->addWidget(fitPanel_);
-  column->setAlignment(Qt::AlignTop);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(content);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  // In a low window the offer would stand below the edge. It has its place after the next layout.
-  connect(
-      document_.get(), &Document::networkMissing, scroll,
-      [this, scroll] { scroll->ensureWidgetVisible(fitPanel_); }, Qt::QueuedConnection);
-
-  // The way out stays in sight where a low window scrolls the rest.
-  auto* foot = new QVBoxLayout;
-  foot->setContentsMargins(theme::kDoubleSpace, theme::kHalfSpace, theme::kDoubleSpace,
-                           theme::kHalfSpace);
-  foot->addWidget(exportButton_);
-  auto* side = new QWidget(this);
-  side->setFixedWidth(kSidePanelWidth);
-  auto* whole = new QVBoxLayout(side);
-  whole->setContentsMargins(0, 0, 0, 0);
-  whole->setSpacing(0);
-  whole->addWidget(scroll, 1);
-  whole->addLayout(foot);
-  return side;
-}
-
-// The strip shows the newest job; when that ends, the one before it.
-void MainWindow::connectStrip() {
-  const auto show = [this](JobId id, const QString& stage, std::optional<double> fraction,
-                           double left) {
-    if (visibleJobs_.empty() || id != visibleJobs_.rbegin()->first) return;
-    progress_->setJob({visibleJobs_.rbegin()->second, stage, fraction,
-                       left < 0.0 ? std::nullopt : std::optional<double>(left)});
-  };
-  connect(&jobs_, &JobRunner::started, this, [this, show](JobId id, const QString& name) {
-    visibleJobs_[id] = name;
-    show(id, {}, std::nullopt, -1.0);
-  });
-  connect(&jobs_, &JobRunner::progressed, this, show);
-  connect(&jobs_, &JobRunner::finished, this, [this, show](JobId id) {
-    visibleJobs_.erase(id);
-    if (visibleJobs_.empty()) {
-      progress_->clearJob();
-    } else {
-      show(visibleJobs_.rbegin()->first, {}, std::nullopt, -1.0);
-    }
-    updateActions();
-  });
-  connect(progress_, &ProgressStrip::cancelWanted, this, [this] {
-    if (visibleJobs_.empty()) return;
-    const auto [id, name] = *visibleJobs_.rbegin();
-    jobs_.cancel(id);
-    progress_->showMessage(tr("%1: cancelled").arg(name), false);
-  });
-}
-
-void MainWindow::connectJobs() {
-  connectStrip();
+void MainWindow::connectDocument() {
+  const Document* document = document_.get();
   const auto showError = [this](const QString& sentence) {
     progress_->showMessage(sentence, true);
   };
-  connect(document_.get(), &Document::failed, this, showError);
+  connect(document, &Document::failed, this, showError);
   connect(server_.get(), &ViewServer::failed, this, showError);
-  connect(document_.get(), &Document::noticed, this,
+  connect(&jobs_, &JobRunner::failed, this,
+          [showError](JobId, const QString& sentence) { showError(sentence); });
+  connect(document, &Document::noticed, this,
           [this](const QString& sentence) { progress_->showMessage(sentence, false); });
-  connect(document_.get(), &Document::opened, this, &MainWindow::documentOpened);
-  connect(document_.get(), &Document::fitted, this, &MainWindow::documentFitted);
-  connect(document_.get(), &Document::editsChanged, this, &MainWindow::updateActions);
-  connect(document_.get(), &Document::fitChoiceChanged, this, &MainWindow::updateActions);
+  connect(document, &Document::opened, this, &MainWindow::showDocument);
+
+  connect(document, &Document::opened, this, &MainWindow::refreshCommands);
+  connect(document, &Document::fitted, this, &MainWindow::refreshCommands);
+  connect(document, &Document::editsChanged, this, &MainWindow::refreshCommands);
+  connect(document, &Document::fitChoiceChanged, this, &MainWindow::refreshCommands);
+  connect(&jobs_, &JobRunner::finished, this, &MainWindow::refreshCommands);
+  connect(views_.get(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);
+  connect(workspace_, &Workspace::docksChanged, this, &MainWindow::refreshCommands);
 }
 
-void MainWindow::documentOpened() {
+void MainWindow::showDocument() {
   setWindowTitle(tr("%1 — Cutis").arg(document_->name()));
-  pages_->setCurrentIndex(1);
+  // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
+  exportButton_->show();
+  pages_->setCurrentWidget(workspace_);
   viewport_->setFocus();
-  for (const auto& file : document_->sourceFiles())
-    remember(QString::fromStdString(file.string()));
-  updateActions();
 }
 
-void MainWindow::documentFitted() {
-  const FitStatistics::Pixels& pixels = document_->statistics().pixels;
-  const auto percent = [&](std::uint64_t count) {
-    return 100.0 * static_cast<double>(count) / static_cast<double>(pixels.total);
-  };
-  if (pixels.total > 0 && pixels.solved + pixels.duplicate == 0) {
-    progress_->showMessage(tr("No pixel could be fitted: all are masked, black or saturated"),
-                           true);
-  } else if (pixels.total > 0 && percent(pixels.noConvergence) > 1.0) {
-    progress_->showMessage(tr("%1 % of the pixels did not settle; their values are rough")
-                               .arg(percent(pixels.noConvergence), 0, 'f', 0),
-                           false);
-  }
-  updateActions();
-}
-
-void MainWindow::updateActions() {
-  const bool open = document_->isOpen();
-  const UndoHistory& history = document_->history();
-  undo_->setEnabled(open && history.canUndo());
-  redo_->setEnabled(open && history.canRedo());
-  undo_->setText(history.canUndo() ? tr("&Undo %1").arg(history.undoName()) : tr("&Undo"));
-  redo_->setText(history.canRedo() ? tr("&Redo %1").arg(history.redoName()) : tr("&Redo"));
-  const bool exportable = open && document_->isFitted() && document_->scene().source != nullptr;
-  for (QAction* action : {load_, train_})
-    action->setEnabled(document_->canFit());
-  export_->setEnabled(exportable);
-  exportButton_->setEnabled(exportable);
-}
-
-void MainWindow::openSample() {
-  progress_->clearMessages();
-  document_->openSample();
-}
-
-void MainWindow::openPath(const QString& path) {
-  progress_->clearMessages();
-  document_->open(std::filesystem::path(path.toStdString()));
-}
-
-void MainWindow::exportAlbedo(const QString& path) {
-  const std::filesystem::path file(path.toStdString());
-  jobs_.start(tr("Export %1").arg(QFileInfo(path).fileName()),
-              [this, file, path, scene = document_->scene(),
-               sources = document_->sourceFiles()](const JobRunner::Handle& job) {
-                const auto store = std::make_shared<TileStore>(std::size_t{1} << 30);
-                const Status status =
-                    cutis::exportAlbedo(scene, *engine_, file, sources, store, job.context);
-                if (status.cancelled()) return;
-                const bool failed = status.failed();
-                const QString sentence = failed ? QString::fromStdString(status.error().text())
-                                                : tr("Written: %1").arg(path);
-                job.post([this, sentence, failed] { progress_->showMessage(sentence, failed); });
-              });
-}
-
-void MainWindow::setLight(const LightChoice& choice) {
-  lightPanel_->setChoice(choice);
-  switch (choice.kind) {
-    case LightChoice::Kind::ultraviolet:
-      return layers_->show(ViewKind::ultraviolet);
-    case LightChoice::Kind::nearInfrared:
-      return layers_->show(ViewKind::nearInfrared);
-    case LightChoice::Kind::colour:
-      break;
-  }
-  PictureRequest picture;
-  picture.light = choice.light.toStdString();
-  picture.observer = choice.observer.toStdString();
-  server_->setPicture(picture);
-  layers_->show(ViewKind::skin);
-}
-
-void MainWindow::syncLight() {
-  LightChoice choice = lightPanel_->choice();
-  choice.kind = layers_->current() == ViewKind::ultraviolet    ? LightChoice::Kind::ultraviolet
-                : layers_->current() == ViewKind::nearInfrared ? LightChoice::Kind::nearInfrared
-                                                               : LightChoice::Kind::colour;
-  lightPanel_->setChoice(choice);
+void MainWindow::refreshCommands() {
+  commands_->refresh();
+  const QAction* action = commands_->action("file.export");
+  exportButton_->setEnabled(action->isEnabled());
+  exportButton_->setToolTip(action->isEnabled() ? QString() : action->toolTip());
 }
 
 bool MainWindow::isIdle() const {
@@ -298,33 +153,24 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) {
-    if (url.isLocalFile()) return openPath(url.toLocalFile());
+    if (url.isLocalFile()) return opener_->open(url.toLocalFile());
   }
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   training_->stop();
-  QSettings().setValue(kGeometry, saveGeometry());
+  QSettings settings;
+  settings.setValue(kGeometry, saveGeometry());
+  settings.setValue(kLayout, workspace_->saveLayout());
   event->accept();
 }
 
-void MainWindow::remember(const QString& path) {
-  QSettings settings;
-  QStringList files = settings.value(kRecentFiles).toStringList();
-  const QString absolute = QFileInfo(path).absoluteFilePath();
-  files.removeAll(absolute);
-  files.prepend(absolute);
-  settings.setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
-}
-
 void MainWindow::restoreSettings() {
+  start_->setRecentFiles(opener_->recentFiles());
   const QSettings settings;
-  QStringList existing;
-  for (const QString& file : settings.value(kRecentFiles).toStringList()) {
-    if (QFileInfo::exists(file)) existing << file;
-  }
-  start_->setRecentFiles(existing);
   if (!restoreGeometry(settings.value(kGeometry).toByteArray())) resize(1440, 900);
+  // A layout that is not one leaves the docks where the table says.
+  workspace_->restoreLayout(settings.value(kLayout).toByteArray());
 }
 
 }  // namespace cutis

@@ -1,39 +1,35 @@
 #pragma once
 
-// The editor's window: start page or the document's layers, viewport, spectrum, edits and light.
-// It owns the document and everything that works for it. Interface thread only.
+// The editor's window: the start page, or the workspace with picture and docks, above the progress
+// strip. It owns the document and everything that works for it, and joins them; what they do stands
+// with them. Interface thread only.
 
-#include <map>
 #include <memory>
 
 #include <QMainWindow>
-#include <QStringList>
 
 #include "src/app/document/document.h"
 #include "src/app/document/view_server.h"
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
-#include "ui/docks/light_choice.h"
 
-class QAction;
 class QPushButton;
 class QStackedWidget;
 
 namespace cutis {
 
+class CommandRegistry;
 class EditController;
-class EditPanel;
+class ExportController;
 class FitController;
-class FitPanel;
-class ViewController;
-class ViewStrip;
-class LightPanel;
+class LightController;
+class OpenController;
 class ProgressStrip;
-class SpectrumController;
-class SpectrumPlot;
 class StartPage;
 class TrainingController;
+class ViewController;
 class Viewport;
+class Workspace;
 
 class MainWindow : public QMainWindow {
   Q_OBJECT
@@ -42,20 +38,19 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(std::unique_ptr<Engine> engine, QWidget* parent = nullptr);
   ~MainWindow() override;
 
-  void openSample();
-  void openPath(const QString& path);
-  // Writes the edited albedo in the background.
-  void exportAlbedo(const QString& path);
-  void setLight(const LightChoice& choice);
-
   // Nothing is being read, fitted, drawn or written.
   bool isIdle() const;
 
   Document& document() { return *document_; }
-  ViewController& layers() { return *layers_; }
+  CommandRegistry& commands() { return *commands_; }
+  Workspace& workspace() { return *workspace_; }
+  ViewController& views() { return *views_; }
   EditController& edits() { return *edits_; }
+  LightController& light() { return *light_; }
   FitController& fit() { return *fit_; }
   TrainingController& training() { return *training_; }
+  OpenController& opener() { return *opener_; }
+  ExportController& exports() { return *exports_; }
   Viewport& viewport() { return *viewport_; }
   ProgressStrip& progress() { return *progress_; }
 
@@ -65,20 +60,12 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  QWidget* makeWorkArea();
-  QWidget* makeSidePanel();
-  void makeMenus();
-  void connectJobs();
-  void connectStrip();
-  void documentOpened();
-  void documentFitted();
-  void updateActions();
-  void syncLight();
-  void chooseCapture();
-  void chooseImage();
-  void chooseExport();
-  void chooseProfile();
-  void remember(const QString& path);
+  void fillTables();
+  void layOut();
+  void connectDocument();
+  void connectStartPage();
+  void showDocument();
+  void refreshCommands();
   void restoreSettings();
 
   std::unique_ptr<Engine> engine_;
@@ -89,25 +76,18 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   StartPage* start_;
   Viewport* viewport_;
-  ViewStrip* strip_;
-  SpectrumPlot* plot_;
-  EditPanel* editPanel_;
-  LightPanel* lightPanel_;
-  FitPanel* fitPanel_;
+  Workspace* workspace_;
   ProgressStrip* progress_;
   QPushButton* exportButton_;
-  ViewController* layers_;
-  EditController* edits_;
-  SpectrumController* spectrum_;
-  FitController* fit_;
-  TrainingController* training_;
-
-  QAction* undo_ = nullptr;
-  QAction* redo_ = nullptr;
-  QAction* export_ = nullptr;
-  QAction* load_ = nullptr;
-  QAction* train_ = nullptr;
-  std::map<JobId, QString> visibleJobs_;  // with their names; the newest is shown
+  CommandRegistry* commands_;
+  // They go before what they work on.
+  std::unique_ptr<ViewController> views_;
+  std::unique_ptr<EditController> edits_;
+  std::unique_ptr<LightController> light_;
+  std::unique_ptr<FitController> fit_;
+  std::unique_ptr<TrainingController> training_;
+  std::unique_ptr<OpenController> opener_;
+  std::unique_ptr<ExportController> exports_;
 };
 
 }  // namespace cutis

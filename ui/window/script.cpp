@@ -8,11 +8,14 @@
 #include "core/skin/profile/parameter.h"
 #include "src/app/fit_method.h"
 #include "src/files/io/text_file.h"
+#include "ui/commands/command_registry.h"
+#include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/dialogs/training_dialog.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
-#include "ui/docks/spectrum_controller.h"
+#include "ui/docks/light_controller.h"
 #include "ui/view/view_catalogue.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
@@ -34,7 +37,7 @@ struct Call {
 Status layer(const Call& call) {
   const auto kind = layerById(call.words[1]);
   if (!kind) return call.wrong("there is no layer of this name");
-  call.window.layers().show(*kind);
+  call.window.views().show(*kind);
   return {};
 }
 
@@ -44,10 +47,6 @@ Status factor(const Call& call) {
   const auto parameter = parameterByName(call.words[1].toStdString());
   if (!parameter || !isNumber) return call.wrong("write factor, a parameter's name and a number");
   call.window.edits().setFactor(*parameter, value, false);
-  // Where an edit of the photograph is seen.
-  if (call.window.layers().current() == ViewKind::photograph) {
-    call.window.layers().show(ViewKind::editedAlbedo);
-  }
   return {};
 }
 
@@ -55,7 +54,7 @@ Status light(const Call& call) {
   LightChoice choice;
   choice.light = call.words[1];
   choice.observer = call.words.value(2, "cie1931");
-  call.window.setLight(choice);
+  call.window.light().setLight(choice);
   return {};
 }
 
@@ -81,6 +80,15 @@ Status shading(const Call& call) {
   choice.shading = call.words[1] == "on";
   call.window.fit().fitWith(choice);
   return {};
+}
+
+Status command(const Call& call) {
+  CommandRegistry& commands = call.window.commands();
+  if (commands.action(call.words[1]) == nullptr) {
+    return call.wrong("there is no such command of the menus");
+  }
+  const QString objection = commands.run(call.words[1]);
+  return objection.isEmpty() ? Status() : Status(call.wrong(objection));
 }
 
 Status point(const Call& call) {
@@ -124,8 +132,8 @@ const std::map<QString, Verb>& verbs() {
     };
   };
   static const std::map<QString, Verb> all = {
-      {"sample", {1, 1, simple([](const Call& call) { call.window.openSample(); })}},
-      {"open", {2, 2, simple([](const Call& call) { call.window.openPath(call.words[1]); })}},
+      {"sample", {1, 1, simple([](const Call& call) { call.window.opener().openSample(); })}},
+      {"open", {2, 2, simple([](const Call& call) { call.window.opener().open(call.words[1]); })}},
       {"layer", {2, 2, layer}},
       {"factor", {3, 3, factor}},
       {"light", {2, 3, light}},
@@ -140,14 +148,16 @@ const std::map<QString, Verb>& verbs() {
       {"undo", {1, 1, simple([](const Call& call) { call.window.document().undo(); })}},
       {"redo", {1, 1, simple([](const Call& call) { call.window.document().redo(); })}},
       {"reset", {1, 1, simple([](const Call& call) { call.window.edits().reset(); })}},
-      {"export", {2, 2, simple([](const Call& call) { call.window.exportAlbedo(call.words[1]); })}},
+      {"export",
+       {2, 2, simple([](const Call& call) { call.window.exports().exportAlbedo(call.words[1]); })}},
       {"picture", {2, 2, picture}},
+      {"command", {2, 2, command}},
   };
   return all;
 }
 
 bool needsDocument(const QString& verb) {
-  return verb != "sample" && verb != "open" && verb != "picture";
+  return verb != "sample" && verb != "open" && verb != "picture" && verb != "command";
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 //   zoom FACTOR | zoom fit | zoom one
 //   undo | redo | reset
 //   export PATH
+//   command ID                  of the menus: edit.undo, dock.spectrum, dock.resetLayout, …
 //   picture PATH.png            of the window, or of the training dialog while that is open
 //
 // Each command waits until the editor is idle.

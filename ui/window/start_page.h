@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/window
 
 // What stands in the window while nothing is open: the sample, the ways to open something, recent
 // files. Anything dropped anywhere on it is opened. Interface thread only.

@@ -107,27 +107,19 @@ std::vector<double> FreeEstimator<N>::nodeValues(std::span<const Point> points) 
     }
   }
   const FreeSpectra spectra = skin.evaluate(parameters, constants, true);
-  const EpidermalAbsorption& epidermis = skin.epidermis();
   std::vector<double> nodes(skin.samples().size() * (N + 1) * count);
   for (std::size_t s = 0; s < skin.samples().size(); ++s) {
-    const int sample = skin.samples()[s];
-    const double eumelanin = epidermis.eumelanin[sample];
-    const double pheomelanin = epidermis.pheomelanin[sample];
-    const double carotene = epidermis.carotene[sample];
     double* out = nodes.data() + s * (N + 1) * count;
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t at = s * count + i;
-      const double per = spectra.perEpidermal[at];
-      const double blend = parameters[i][kMelaninBlend];
       const auto put = [&](int k, double slope) {
         out[static_cast<std::size_t>(1 + k) * count + i] = slope * units[i][k];
       };
       out[i] = spectra.reflectance[at];
-      put(kMelanin, per * (blend * eumelanin + (1.0 - blend) * pheomelanin));
-      put(kMelaninBlend, per * parameters[i][kMelanin] * (eumelanin - pheomelanin));
-      put(kHaemoglobinDermal, spectra.perDermal[at] * spectra.dermalBlood[at]);
-      put(kHaemoglobinEpidermal, per * spectra.epidermalBlood[at]);
-      put(kCarotene, per * carotene);
+      ParameterVector slopes;
+      skin.byParameters(spectra, s, i, count, parameters[i], slopes);
+      for (int k = 0; k < kParameterCount; ++k)
+        put(k, slopes[k]);
       if (coordinates.free().oxygenation) put(kParameterCount, spectra.perOxygenation[at]);
       if (coordinates.free().thickness) put(N - 1, spectra.perThickness[at]);
     }

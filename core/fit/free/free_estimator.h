@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/free
 
 // Maximum a posteriori estimates of pixels with constants of the profile as further coordinates:
 // the inner part of core/fit/free/free_solver.cpp.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/free
 
 // Searches of many pixels side by side: an inner part of core/fit/free/free_solver.cpp.
 

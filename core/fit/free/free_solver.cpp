@@ -17,9 +17,9 @@ namespace {
 
 // What is left when another step would lower the cost by less: a few hundredths of a posterior
 // deviation.
-constexpr double kTolerance = 1e-3;
+constexpr double kFastTolerance = 1e-3;
 constexpr double kExactTolerance = 1e-8;
-constexpr int kMaximumRounds = 100;
+constexpr int kFastMaximumRounds = 100;
 constexpr int kExactMaximumRounds = 400;
 constexpr int kMaximumNodes = 64;
 // Without noise the channels are met to some 1e-5, the error of the tables; ten times that is no
@@ -94,7 +94,7 @@ class FreeSolver final : public PixelSolver {
 
  private:
   FreeSearch<N> searchFrom(std::size_t pixel, const Point& start) const {
-    return {pixel, start, exact_ ? kExactMaximumRounds : kMaximumRounds};
+    return {pixel, start, exact_ ? kExactMaximumRounds : kFastMaximumRounds};
   }
 
   // What the ordinary fit found, with the prior's constants.
@@ -123,7 +123,7 @@ class FreeSolver final : public PixelSolver {
       }
       return estimator_.linearise(points, pixels, channels);
     };
-    const double tolerance = exact_ ? kExactTolerance : kTolerance;
+    const double tolerance = exact_ ? kExactTolerance : kFastTolerance;
     runSearches(
         searches, evaluate,
         [&](FreeSearch<N>& search, const auto& came) { return search.advance(came, tolerance); },

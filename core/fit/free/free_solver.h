@@ -24,7 +24,7 @@ namespace cutis {
 Status checkChannelsDecide(const Rig& rig, const FitOptions& options, const std::string& place);
 
 // Preconditions: something is free, no shading, checkChannelsDecide() passed. Preparation: that of
-// FreeResponse::make. Errors: the same. See README.md for the time per pixel.
+// FreeResponse::make. Errors: the same. The time per pixel is in resources/manual/fitting.md.
 Result<std::unique_ptr<const PixelSolver>> makeFreeSolver(std::shared_ptr<const SkinModel> model,
                                                           const Rig& rig, const FitOptions& options,
                                                           const JobContext& context);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/fit/assumed_noise.h"
 #include "core/fit/coordinate_prior.h"
 
 namespace cutis {
@@ -13,8 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// Standing in for "none" where no noise is asked for: well below what a 16-bit image resolves.
-constexpr double kExactNoise = 1e-7;
 // Convergence: the step would lower the cost by less than this share of one standard deviation².
 constexpr double kDecrement = 1e-10;
 
@@ -62,6 +61,7 @@ MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
       instrument_(model, options.geometry),
       nodes_(std::move(nodes)),
       options_(options) {
+  options_.noise.read = std::max(options_.noise.read, kExactNoise);
   if (options_.prior) priorPrecision_ = options_.prior->precision();
   for (Index k = 0; k < nodes_.weights.rows(); ++k) {
     alive_.push_back((nodes_.weights.row(k).array() != 0.0).any());
@@ -129,7 +129,7 @@ Estimate MapEstimator::solve(const VectorXd& channels) const {
 Estimate MapEstimator::solve(const VectorXd& channels, const ParameterVector& start) const {
   VectorXd precision(channels.size());
   for (Index k = 0; k < channels.size(); ++k) {
-    const double variance = options_.noise.variance(channels[k]) + kExactNoise * kExactNoise;
+    const double variance = options_.noise.variance(channels[k]);
     precision[k] = alive_[static_cast<std::size_t>(k)] ? 1.0 / variance : 0.0;
   }
   std::array<bool, kParameterCount> fixed;

@@ -5,8 +5,9 @@
 //
 // Minimises  Σ_k (y_k − f_k(x))² / σ_k²  +  Σ_i (x_i − μ_i)² / s_i²  over the box, by Levenberg's
 // damped Gauss–Newton steps with an active set. f are weighted sums of reflectances at nodes;
-// σ_k² = read² + (proportional · y_k)². A concentration with a log-normal prior is estimated as its
-// logarithm. Without a prior only the first sum remains, in linear coordinates.
+// σ_k² = read² + (proportional · y_k)², read at least kExactNoise (core/fit/assumed_noise.h). A
+// concentration with a log-normal prior is estimated as its logarithm. Without a prior only the
+// first sum remains, in linear coordinates.
 
 #include <array>
 #include <optional>

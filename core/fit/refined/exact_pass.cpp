@@ -8,8 +8,8 @@
 namespace cutis {
 namespace {
 
-constexpr double kTolerance = 1e-9;
-constexpr int kMaximumRounds = 400;
+constexpr double kExactPassTolerance = 1e-9;
+constexpr int kExactPassRounds = 400;
 // What the second try assumes, a constant deviation of the channels.
 constexpr double kCautiousNoise = 3e-4;
 // Root mean square over the channels that a pixel without noise stays below.
@@ -29,8 +29,8 @@ ExactPass::ExactPass(const SkinModel& model, const SpectralNodes& nodes, const P
                      const NoiseModel& noise, const FitOptions& options)
     : exact_(model, nodes, prior, noise, options),
       cautious_(model, nodes, prior, {kCautiousNoise, 0.0}, options) {
-  exact_.problem().tolerance = kTolerance;
-  exact_.problem().maximumRounds = kMaximumRounds;
+  exact_.problem().tolerance = kExactPassTolerance;
+  exact_.problem().maximumRounds = kExactPassRounds;
 }
 
 void ExactPass::finish(PixelRows<const float> channels, PixelRows<float> coordinates,

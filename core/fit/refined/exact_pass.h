@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/refined
 
 // The exact setting: what the single precision found, taken to full convergence in double precision
 // with next to no noise assumed. Needs as many channels as there are parameters to find.

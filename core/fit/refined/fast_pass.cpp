@@ -7,14 +7,14 @@ namespace {
 
 // A pixel is done when the next step would lower its cost by less than this: the step it then takes
 // leaves a few hundredths of a posterior deviation.
-constexpr double kTolerance = 0.03;
+constexpr double kFastPassTolerance = 0.03;
 
 }  // namespace
 
 FastPass::FastPass(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
                    const NoiseModel& noise, const FitOptions& options)
     : data_(model, nodes, prior, noise, options) {
-  data_.problem().tolerance = static_cast<float>(kTolerance);
+  data_.problem().tolerance = static_cast<float>(kFastPassTolerance);
   const auto solveFrom = [this](const StartPolynomial& start, PixelRows<const float> channels,
                                 PixelRows<float> coordinates) {
     std::vector<std::uint8_t> converged(channels.count);

@@ -32,7 +32,7 @@ HWY_INLINE V ChannelPrecision(D d, const RefinedProblem<hn::TFromD<D>>& problem,
 template <class V>
 struct PointVectors {
   V value[kParameterCount];
-  V melaninEu;  // C_m · β_m
+  AmountVectors<V> amounts;
 };
 
 template <class D, class V = hn::Vec<D>>
@@ -42,7 +42,7 @@ HWY_INLINE PointVectors<V> PointOf(D d, const RefinedProblem<hn::TFromD<D>>& pro
   for (int i = 0; i < kParameterCount; ++i) {
     point.value[i] = problem.isLog[i] ? ExpOfNegative(d, coordinates[i]) : coordinates[i];
   }
-  point.melaninEu = hn::Mul(point.value[kMelanin], point.value[kMelaninBlend]);
+  point.amounts = AmountsOf([&](int i) HWY_ATTR { return point.value[i]; });
   return point;
 }
 
@@ -94,13 +94,13 @@ HWY_INLINE void ModelWithDerivatives(D d, const RefinedProblem<hn::TFromD<D>>& p
   for (int i = 0; i < kParameterCount; ++i) {
     perCoordinate[i] = problem.isLog[i] ? point.value[i] : one;
   }
+  static_assert(kParameterCount == 5, "a sixth has its derivative below");
   const V perBlend = hn::Mul(point.value[kMelanin], perCoordinate[kMelaninBlend]);
   V nodes[kMaximumFitNodes][kLinearColumns];
   for (std::size_t n = 0; n < problem.nodeCount; ++n) {
     const NodeConstants<T>& node = problem.nodes[n];
     V epidermal, dermal;
-    NodeAbsorption(d, node, point.value[kMelanin], point.melaninEu, point.value[kHaemoglobinDermal],
-                   point.value[kHaemoglobinEpidermal], point.value[kCarotene], epidermal, dermal);
+    NodeAbsorption(d, node, point.amounts, epidermal, dermal);
     const LayeredVectors<V> layered =
         NodeReflectanceOf<true>(d, problem.layers, node, epidermal, dermal);
     const V slope = layered.perEpidermalAbsorption;
@@ -128,9 +128,7 @@ HWY_INLINE void ModelOnly(D d, const RefinedProblem<hn::TFromD<D>>& problem,
   V nodes[kMaximumFitNodes][1];
   for (std::size_t n = 0; n < problem.nodeCount; ++n) {
     V epidermal, dermal;
-    NodeAbsorption(d, problem.nodes[n], point.value[kMelanin], point.melaninEu,
-                   point.value[kHaemoglobinDermal], point.value[kHaemoglobinEpidermal],
-                   point.value[kCarotene], epidermal, dermal);
+    NodeAbsorption(d, problem.nodes[n], point.amounts, epidermal, dermal);
     nodes[n][0] = NodeReflectanceOf<false>(d, problem.layers, problem.nodes[n], epidermal, dermal)
                       .reflectance;
   }

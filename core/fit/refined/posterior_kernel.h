@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/refined
 
 // Vectorised posterior spread, for core/fit/refined/refined_solver.cpp. Plain data, see
 // core/skin/layers/node_constants.h.

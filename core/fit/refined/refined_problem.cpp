@@ -58,11 +58,11 @@ void RefinedProblemData<T>::setCoordinates(const ParameterAxes& axes, const Prio
 template <typename T>
 void RefinedProblemData<T>::setCurvature(const SkinModel& model) {
   constexpr int green = (550 - kFirstWavelengthNm) / kWavelengthStepNm;
-  const auto offset = [&](int i, double base, double chromophore) {
-    problem_.rootOffset[i] = static_cast<T>(base / chromophore);
-  };
-  offset(kMelanin, model.epidermis().base[green], model.epidermis().eumelanin[green]);
-  offset(kHaemoglobinDermal, model.dermis().base[green], model.dermis().blood[green]);
+  const AbsorptionLaw& law = model.absorption();
+  for (const Parameter darkest : {kMelanin, kHaemoglobinDermal}) {
+    problem_.rootOffset[darkest] =
+        static_cast<T>(law.base(law.layerOf(darkest), green) / law.perUnit(darkest, green));
+  }
 }
 
 template class RefinedProblemData<float>;

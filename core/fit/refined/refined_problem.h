@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/refined
 
 // What the kernel of the refined fit is given, put together from the model, the rig's nodes and
 // what is known beforehand. Thread-safe: const after construction.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/refined
 
 // Where the refined fit begins: a polynomial of the fourth degree in the leading principal
 // components of a pixel's log channels, one for darker and one for lighter skin, least squares over

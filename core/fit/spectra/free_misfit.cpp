@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "core/fit/spectra/spectra_misfit.h"
+#include "core/fit/spectra/spectra_equations.h"
 
 namespace cutis {
 
@@ -13,15 +13,15 @@ Result<FreeMisfit<N>> FreeMisfit<N>::make(const SkinModel& model,
                                           const FreeConstants& free, double edgeLossPerMm,
                                           const JobContext& context) {
   assert(free.count() == N - kParameterCount);
-  GridInterpolation grid = gridInterpolation(wavelengthsNm);
-  CUTIS_TRY(skin, FreeSkin::make(model, grid.samples, free, context, {edgeLossPerMm}));
-  return FreeMisfit(model, std::move(grid), std::move(skin));
+  MeasuredRows rows = measuredRows(wavelengthsNm);
+  CUTIS_TRY(skin, FreeSkin::make(model, rows.samples, free, context, {edgeLossPerMm}));
+  return FreeMisfit(model, std::move(rows), std::move(skin));
 }
 
 template <int N>
-FreeMisfit<N>::FreeMisfit(const SkinModel& model, GridInterpolation grid, FreeSkin skin)
-    : grid_(std::move(grid)), skin_(std::move(skin)) {
-  for (const int sample : grid_.samples)
+FreeMisfit<N>::FreeMisfit(const SkinModel& model, MeasuredRows rows, FreeSkin skin)
+    : rows_(std::move(rows)), skin_(std::move(skin)) {
+  for (const int sample : rows_.samples)
     slopes_.push_back(absorptionPerCoordinate(model, sample));
 }
 
@@ -52,7 +52,7 @@ FreeSpectra FreeMisfit<N>::evaluate(std::span<const Set> sets, bool derivatives)
 
 template <int N>
 Eigen::MatrixXd FreeMisfit<N>::spectra(std::span<const Set> sets) const {
-  return interpolated(grid_, evaluate(sets, false).reflectance, sets.size());
+  return atMeasured(rows_.rows, evaluate(sets, false).reflectance, sets.size());
 }
 
 template <int N>
@@ -75,6 +75,7 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
     if (k >= kParameterCount && k - kParameterCount == oxygenationAt) {
       return spectra.perOxygenation[at];
     }
+    // The blood of a skin has an absorption of its own.
     if (k == kHaemoglobinDermal) {
       return spectra.perDermal[at] * spectra.dermalBlood[at] * axes()[kHaemoglobinDermal].maximum;
     }
@@ -82,11 +83,13 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
       return spectra.perEpidermal[at] * spectra.epidermalBlood[at] *
              axes()[kHaemoglobinEpidermal].maximum;
     }
-    return spectra.perEpidermal[at] * slopes_[s][static_cast<std::size_t>(k)];
+    const bool inDermis = skin_.absorption().layerOf(k) == SkinLayer::dermis;
+    return (inDermis ? spectra.perDermal[at] : spectra.perEpidermal[at]) *
+           slopes_[s][static_cast<std::size_t>(k)];
   };
   EquationSums<N> sums(count);
-  for (std::size_t w = 0; w < grid_.rows.size(); ++w) {
-    const InterpolatedRow& row = grid_.rows[w];
+  for (std::size_t w = 0; w < rows_.rows.size(); ++w) {
+    const MeasuredRow& row = rows_.rows[w];
     const double above = row.share, below = 1.0 - row.share;
     for (std::size_t i = 0; i < count; ++i) {
       sums.residual()[i] = measured[i][w] - (below * spectra.reflectance[row.lower * count + i] +

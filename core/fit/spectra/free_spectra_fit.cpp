@@ -1,37 +1,13 @@
 #include "core/fit/spectra/free_spectra_fit.h"
 
-#include <algorithm>
-
 #include "core/fit/spectra/free_misfit.h"
 #include "core/fit/spectra/spectra_search.h"
-#include "core/skin/profile/parameter_sampling.h"
 
 namespace cutis {
 namespace {
 
-constexpr int kSamples = 8192;
 // Shares of the progress: the fit with the profile's own constants, and the tables of the layers.
 constexpr double kOwnShare = 0.1, kTablesShare = 0.2;
-
-template <int N>
-std::vector<SearchPoint<N>> samplesOf(const ParameterAxes& axes) {
-  const std::vector<ParameterVector> sets = sampleBox(axes, kSamples);
-  std::vector<SearchPoint<N>> samples(sets.size());
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    samples[i].template head<kParameterCount>() = sets[i];
-    for (int k = kParameterCount; k < N; ++k)
-      samples[i][k] = samplePlace(k - kParameterCount, static_cast<int>(i));
-  }
-  return samples;
-}
-
-std::vector<double> asModelled(const MeasurementGeometry& geometry,
-                               std::span<const double> reflectances) {
-  std::vector<double> modelled(reflectances.size());
-  std::transform(reflectances.begin(), reflectances.end(), modelled.begin(),
-                 [&](double measured) { return modelReflectance(geometry, measured); });
-  return modelled;
-}
 
 // From what was found with the profile's own constants.
 template <int N>
@@ -46,13 +22,14 @@ Result<std::vector<FreeSpectrumFit>> fitFrom(const std::vector<SpectrumFit>& own
   std::vector<SearchPoint<N>> known;
   for (const SpectrumFit& fit : own)
     known.push_back(misfit.setAt(fit.parameters, constantsOf(model.profile())));
-  CUTIS_TRY(found,
-            searchSpectra(misfit, samplesOf<N>(misfit.axes()), {known},
-                          asModelled(geometry, reflectances), context.child(kTablesShare, 1.0)));
+  CUTIS_TRY(found, searchSpectra<N>(misfit, searchSamples<N>(misfit.axes()), known,
+                                    modelReflectances(geometry, reflectances),
+                                    context.child(kTablesShare, 1.0)));
   std::vector<FreeSpectrumFit> fits;
   for (const FoundPoint<N>& one : found) {
-    fits.push_back({{one.point.template head<kParameterCount>(), geometry.enteringShare * one.rmse},
-                    misfit.constantsAt(one.point)});
+    fits.push_back(
+        {{one.point.template head<kParameterCount>(), geometry.enteringShare * one.rmse, {}},
+         misfit.constantsAt(one.point)});
   }
   return fits;
 }

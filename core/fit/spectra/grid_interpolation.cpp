@@ -21,23 +21,9 @@ double shareAbove(double wavelengthNm) {
 
 }  // namespace
 
-Eigen::MatrixXd interpolated(const GridInterpolation& grid, const std::vector<double>& values,
-                             std::size_t count) {
-  Eigen::MatrixXd spectra(grid.rows.size(), count);
-  for (std::size_t w = 0; w < grid.rows.size(); ++w) {
-    const InterpolatedRow& row = grid.rows[w];
-    for (std::size_t i = 0; i < count; ++i) {
-      spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
-          (1.0 - row.share) * values[row.lower * count + i] +
-          row.share * values[row.upper * count + i];
-    }
-  }
-  return spectra;
-}
-
-GridInterpolation gridInterpolation(std::span<const double> wavelengthsNm) {
-  GridInterpolation grid;
-  std::vector<int>& samples = grid.samples;
+MeasuredRows measuredRows(std::span<const double> wavelengthsNm) {
+  MeasuredRows measured;
+  std::vector<int>& samples = measured.samples;
   for (const double wavelength : wavelengthsNm) {
     samples.push_back(sampleBelow(wavelength));
     if (shareAbove(wavelength) > 0.0) samples.push_back(samples.back() + 1);
@@ -45,14 +31,28 @@ GridInterpolation gridInterpolation(std::span<const double> wavelengthsNm) {
   std::sort(samples.begin(), samples.end());
   samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
   for (const double wavelength : wavelengthsNm) {
-    InterpolatedRow row;
+    MeasuredRow row;
     const auto at = std::lower_bound(samples.begin(), samples.end(), sampleBelow(wavelength));
     row.lower = static_cast<std::size_t>(at - samples.begin());
     row.share = shareAbove(wavelength);
     row.upper = row.share > 0.0 ? row.lower + 1 : row.lower;
-    grid.rows.push_back(row);
+    measured.rows.push_back(row);
   }
-  return grid;
+  return measured;
+}
+
+Eigen::MatrixXd atMeasured(const std::vector<MeasuredRow>& rows, const std::vector<double>& values,
+                           std::size_t count) {
+  Eigen::MatrixXd spectra(rows.size(), count);
+  for (std::size_t w = 0; w < rows.size(); ++w) {
+    const MeasuredRow& row = rows[w];
+    for (std::size_t i = 0; i < count; ++i) {
+      spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
+          (1.0 - row.share) * values[row.lower * count + i] +
+          row.share * values[row.upper * count + i];
+    }
+  }
+  return spectra;
 }
 
 }  // namespace cutis

@@ -26,18 +26,24 @@ namespace cutis {
 // Fewer wavelengths than parameters determine nothing.
 inline constexpr std::size_t kFewestWavelengths = kParameterCount;
 
+// More further chromophores than this are refused.
+inline constexpr std::size_t kMostFurther = 2;
+
 struct SpectrumFit {
   // Where there is no melanin its blend has no meaning and is 0.
   ParameterVector parameters = ParameterVector::Zero();
   double rmse = 0.0;
+  // Amounts of the profile's further chromophores.
+  std::vector<double> further;
 };
 
-// wavelengthsNm: strictly increasing, within the grid, at least kFewestWavelengths.
+// wavelengthsNm: strictly increasing, within the grid, at least kFewestWavelengths and one more for
+// each further chromophore.
 // reflectances: [spectrum][wavelength], shares from 0 to 1, finite, as `geometry` measures them;
 // the RMSE is of them. Precondition: validate(geometry) passed.
-// One result per spectrum, in order. Fails only when cancelled or out of memory. About 0.3 ms a
-// spectrum and core at 31 wavelengths, in proportion to their number; several times that with edge
-// loss.
+// One result per spectrum, in order. Fails when cancelled or out of memory, or for a profile with
+// more than kMostFurther further chromophores. About 0.3 ms a spectrum and core at 31 wavelengths,
+// in proportion to their number; several times that with edge loss or a further chromophore.
 Result<std::vector<SpectrumFit>> fitSpectra(const SkinModel& model,
                                             std::span<const double> wavelengthsNm,
                                             std::span<const double> reflectances,

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/table
 
 // An exact index over points of three to five features: finds what an exhaustive search finds, ties
 // included, by looking at few of them.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/table
 
 // Vectorised nearest neighbour in a tree of boxes. Plain data, see
 // core/skin/layers/node_constants.h.

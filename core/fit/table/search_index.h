@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/table
 
 // The searches of TableSearch through exact indices: the same entries, ties included, about a
 // hundred times as fast.

@@ -13,6 +13,9 @@ namespace {
 // Axes from the slowest to the fastest.
 constexpr std::array<Parameter, kParameterCount> kOrder = {
     kMelanin, kMelaninBlend, kCarotene, kHaemoglobinDermal, kHaemoglobinEpidermal};
+static_assert(kParameterCount == 5,
+              "a sixth has a place in this order, a loop in fillBlock and an amount in "
+              "TableArguments (core/fit/table/table_kernel.h)");
 
 int samplesOf(const ParameterAxes& axes, Parameter parameter) {
   return axes[static_cast<std::size_t>(parameter)].samples;
@@ -101,6 +104,7 @@ ParameterVector SkinTable::parameters(std::size_t entry) const {
 
 Result<SkinTable> buildSkinTable(const SkinModel& model, const SpectrumRows& rows,
                                  const JobContext& context) try {
+  CUTIS_CHECK(requireFive(model.profile(), "a table of skin"));
   assert(rows.rows() <= kMaximumTableRows);
   const ParameterAxes& axes = model.profile().axes;
   const CompiledModel nodes(model, samplesInUse(rows));

@@ -41,13 +41,13 @@ void Dermis(const TableArguments& arguments) {
 void Epidermis(const TableArguments& arguments) {
   const hn::CappedTag<float, 1> d;
   using V = hn::Vec<decltype(d)>;
-  const float melaninEu = arguments.melanin * arguments.blend;
+  const AmountVectors<V> skin = {
+      hn::Set(d, arguments.melanin), hn::Set(d, arguments.melanin * arguments.blend), hn::Zero(d),
+      hn::Set(d, arguments.epidermalBlood), hn::Set(d, arguments.carotene)};
   for (std::size_t n = 0; n < arguments.nodeCount; ++n) {
     const NodeConstants<float>& node = arguments.nodes[n];
     V epidermal, dermal;
-    NodeAbsorption(d, node, hn::Set(d, arguments.melanin), hn::Set(d, melaninEu), hn::Zero(d),
-                   hn::Set(d, arguments.epidermalBlood), hn::Set(d, arguments.carotene), epidermal,
-                   dermal);
+    NodeAbsorption(d, node, skin, epidermal, dermal);
     const V absorption = PositiveAbsorption(d, epidermal);
     float* out = arguments.scratch + kEpidermisNumbers * n;
     if (node.transport != nullptr) {

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/fit/table
 
 // Vectorised parts of core/fit/table/skin_table.cpp. Plain data, see
 // core/skin/layers/node_constants.h.

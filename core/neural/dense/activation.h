@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural/dense
 
 // What a unit of a network does with its sum. The slope of each is a function of the output alone,
 // so that back-propagation need not keep the sums.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural/dense
 
 // One step of Adam (Kingma & Ba 2015, algorithm 1) with decoupled weight decay.
 

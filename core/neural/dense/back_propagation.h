@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural/dense
 
 // The error of a network over some samples and its gradient by the network's weights, by
 // back-propagation: the inner part of core/neural/dense/trainer.h.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/neural/dense
 
 // A fully connected network as plain data: layers of units, each a weighted sum through an
 // activation. Scalings of inputs and outputs, whitening, and the way from PCA weights to channels

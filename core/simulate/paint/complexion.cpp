@@ -12,7 +12,13 @@
 namespace cutis {
 namespace {
 
-enum Stream : std::uint64_t { kWarpX = 100, kWarpY, kBlotches, kFurrows, kParameterNoise };
+enum ComplexionStream : std::uint64_t {
+  kWarpX = 100,
+  kWarpY,
+  kBlotches,
+  kFurrows,
+  kParameterNoise
+};
 
 // Shapes of the noises that a recipe only scales.
 NoiseRecipe warpNoise(double deviation) {

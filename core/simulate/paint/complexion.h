@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/simulate/paint
 
 // What every pixel of the patch has: its tone, the colour of large areas, the relief's fine lines
 // and variation at all scales in all parameters.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/simulate/paint
 
 // A closed mouth: two lips with a soft border, fine lines across them and the dark line between.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/simulate/paint
 
 // The picture that a patch is painted on: its size in pixels, and one rectangle of it in memory.
 //

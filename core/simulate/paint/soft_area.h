@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/simulate/paint
 
 // A SoftArea of a recipe, in pixels.
 

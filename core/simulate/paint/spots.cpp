@@ -8,7 +8,7 @@
 namespace cutis {
 namespace {
 
-enum Stream : std::uint64_t { kPores = 200, kFreckles, kMoles };
+enum SpotStream : std::uint64_t { kPores = 200, kFreckles, kMoles };
 
 // Below this radius in pixels a feature has no share in any pixel worth computing.
 constexpr float kSmallestRadius = 0.1f;

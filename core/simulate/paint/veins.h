@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/simulate/paint
 
 // Branching vessels, seen as bands of more blood in the dermis.
 

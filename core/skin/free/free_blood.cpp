@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "core/maths/weighted_sums.h"
-#include "core/skin/profile/absorption.h"
+#include "core/skin/profile/chromophore_table.h"
 #include "core/skin/profile/free_constants.h"
 
 namespace cutis {
@@ -28,8 +28,8 @@ FreeBlood::FreeBlood(const Profile& profile, std::span<const int> samples, bool 
   for (std::size_t k = 0; k < points; ++k) {
     changed.dermalBlood.oxygenation = ofDermis_.points()[k];
     changed.epidermalBlood.oxygenation = ofEpidermis_.points()[k];
-    const Spectrum dermal = dermalAbsorption(changed).blood;
-    const Spectrum epidermal = epidermalAbsorption(changed).blood;
+    const Spectrum dermal = chromophoreTable()[kHaemoglobinDermal].absorption(changed);
+    const Spectrum epidermal = chromophoreTable()[kHaemoglobinEpidermal].absorption(changed);
     for (std::size_t s = 0; s < samples.size(); ++s) {
       dermal_[s * points + k] = dermal[samples[s]];
       epidermal_[s * points + k] = epidermal[samples[s]];

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/free
 
 // Absorption of blood in both layers as a function of its oxygenation γ, packaging and smoothing
 // included, which are not linear in γ.

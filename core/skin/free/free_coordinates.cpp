@@ -32,6 +32,15 @@ SkinConstants FreeCoordinates::constantsAt(const double* coordinates) const {
   return constants;
 }
 
+SkinConstants FreeCoordinates::clamped(const SkinConstants& constants) const {
+  SkinConstants nearest = own_;
+  if (free_.oxygenation) nearest.oxygenation = std::clamp(constants.oxygenation, 0.0, 1.0);
+  if (free_.thickness) {
+    nearest.thicknessMm = std::clamp(constants.thicknessMm, thickness_.lowMm, thickness_.highMm);
+  }
+  return nearest;
+}
+
 void FreeCoordinates::coordinatesOf(const SkinConstants& constants, double* coordinates) const {
   if (free_.oxygenation) coordinates[0] = std::clamp(constants.oxygenation, 0.0, 1.0);
   if (free_.thickness) {

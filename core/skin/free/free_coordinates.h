@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/free
 
 // Free constants as coordinates from 0 to 1: the oxygenation is one as it is; that of the thickness
 // is how far its logarithm is on the way through thicknessRange().
@@ -27,6 +27,8 @@ class FreeCoordinates {
   // coordinates: count() of them, 0 to 1; what is not free is the profile's. Always within the
   // ranges.
   SkinConstants constantsAt(const double* coordinates) const;
+  // The nearest constants within the ranges; what is not free is the profile's.
+  SkinConstants clamped(const SkinConstants& constants) const;
   // Clamped into 0 to 1.
   void coordinatesOf(const SkinConstants& constants, double* coordinates) const;
 

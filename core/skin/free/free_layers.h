@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/free
 
 // Reflectance of a profile's two layers where the thickness of the epidermis is free, too, in
 // double precision, with all three derivatives.

@@ -10,8 +10,8 @@
 namespace cutis {
 namespace {
 
-constexpr int kTrainingCount = 3000;
-constexpr int kCheckingCount = 1000;
+constexpr int kFreeTrainingCount = 3000;
+constexpr int kFreeCheckingCount = 1000;
 constexpr std::size_t kBatch = 50;
 // Between thicknesses of the tables the spectra here are mixtures of those at the tables', so that
 // nodes for the ones hold for the others, and a few thicknesses tell all.
@@ -28,8 +28,8 @@ std::vector<int> seenSamples(const SpectrumRows& rows) {
 }
 
 // Zero at samples that the skin is not evaluated at.
-Result<SpectrumRows> sampledSpectra(const FreeSkin& skin, int count, int first,
-                                    const JobContext& context) {
+Result<SpectrumRows> sampledFreeSpectra(const FreeSkin& skin, int count, int first,
+                                        const JobContext& context) {
   const std::vector<ParameterVector> people = sampleBox(skin.axes(), count, first);
   std::vector<SkinConstants> constants;
   for (int i = 0; i < count; ++i) {
@@ -55,7 +55,7 @@ Result<SpectrumRows> sampledSpectra(const FreeSkin& skin, int count, int first,
   return spectra;
 }
 
-static_assert(kTrainingCount % kBatch == 0 && kCheckingCount % kBatch == 0);
+static_assert(kFreeTrainingCount % kBatch == 0 && kFreeCheckingCount % kBatch == 0);
 
 }  // namespace
 
@@ -64,10 +64,10 @@ Result<SpectralNodes> chooseFreeNodes(const SkinModel& model, const SpectrumRows
                                       const JobContext& context) {
   CUTIS_TRY(skin, FreeSkin::make(model, seenSamples(rows), free, context.child(0.0, kTablesEnd),
                                  {0.0, kThicknesses}));
-  CUTIS_TRY(training,
-            sampledSpectra(skin, kTrainingCount, 0, context.child(kTablesEnd, kSpectraEnd)));
-  CUTIS_TRY(checking, sampledSpectra(skin, kCheckingCount, kTrainingCount,
-                                     context.child(kSpectraEnd, kSpectraEnd)));
+  CUTIS_TRY(training, sampledFreeSpectra(skin, kFreeTrainingCount, 0,
+                                         context.child(kTablesEnd, kSpectraEnd)));
+  CUTIS_TRY(checking, sampledFreeSpectra(skin, kFreeCheckingCount, kFreeTrainingCount,
+                                         context.child(kSpectraEnd, kSpectraEnd)));
   return chooseSpectralNodes(rows, training, checking, options);
 }
 

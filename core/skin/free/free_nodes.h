@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/free
 
 // Spectral nodes as in core/skin/model/choose_nodes.h, that hold wherever the free constants may
 // lie.

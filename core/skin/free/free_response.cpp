@@ -11,26 +11,20 @@ namespace cutis {
 namespace {
 
 // Pixels evaluated at once: their reflectances stay in the cache.
-constexpr std::size_t kBatch = 64;
+constexpr std::size_t kRowsAtOnce = 64;
 // Of the progress: the choice of the nodes, then their tables.
 constexpr double kNodesEnd = 0.8;
 
 // Constants of pixel i, within their ranges.
 SkinConstants constantsAt(PixelRows<const float> values, std::size_t i,
                           const FreeCoordinates& coordinates) {
-  const auto valueOf = [&](SkinConstant constant) {
+  SkinConstants constants;
+  for (const SkinConstant constant : kSkinConstants) {
+    if (!coordinates.free().has(constant)) continue;
     const int row = kParameterCount + coordinates.indexOf(constant);
-    return double{values.at(static_cast<std::size_t>(row), i)};
-  };
-  SkinConstants constants = coordinates.own();
-  if (coordinates.free().oxygenation) {
-    constants.oxygenation = std::clamp(valueOf(kOxygenation), 0.0, 1.0);
+    constants[constant] = double{values.at(static_cast<std::size_t>(row), i)};
   }
-  if (coordinates.free().thickness) {
-    constants.thicknessMm = std::clamp(valueOf(kThickness), coordinates.thickness().lowMm,
-                                       coordinates.thickness().highMm);
-  }
-  return constants;
+  return coordinates.clamped(constants);
 }
 
 }  // namespace
@@ -47,8 +41,8 @@ void FreeResponse::evaluate(PixelRows<const float> values, std::span<float* cons
   assert(out.size() == static_cast<std::size_t>(rowCount()));
   std::vector<ParameterVector> parameters;
   std::vector<SkinConstants> constants;
-  for (std::size_t begin = 0; begin < values.count; begin += kBatch) {
-    const std::size_t count = std::min(kBatch, values.count - begin);
+  for (std::size_t begin = 0; begin < values.count; begin += kRowsAtOnce) {
+    const std::size_t count = std::min(kRowsAtOnce, values.count - begin);
     parameters.resize(count);
     constants.resize(count);
     for (std::size_t i = 0; i < count; ++i) {

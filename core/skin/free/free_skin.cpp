@@ -4,13 +4,14 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/skin/profile/absorption.h"
+#include "core/skin/profile/profile.h"
 
 namespace cutis {
 
 Result<FreeSkin> FreeSkin::make(const SkinModel& model, std::span<const int> samples,
                                 const FreeConstants& free, const JobContext& context,
                                 const FreeSkinOptions& options) {
+  CUTIS_CHECK(requireFive(model.profile(), "looking for an oxygenation or a thickness"));
   CUTIS_TRY(coordinates, FreeCoordinates::make(model.profile(), free));
   CUTIS_TRY(layers,
             FreeLayers::make(model.profile(), samples, free, context, options.thicknessPoints));
@@ -22,11 +23,9 @@ FreeSkin::FreeSkin(const SkinModel& model, std::span<const int> samples,
     : samples_(samples.begin(), samples.end()),
       coordinates_(std::move(coordinates)),
       axes_(model.profile().axes),
-      epidermis_(model.epidermis()),
-      dermis_(model.dermis()),
+      absorption_(model.profile(), samples_, coordinates_.free().oxygenation),
       dermalScattering_(dermalScattering(model.profile())),
       edge_{0.0, 1.0, edgeLossPerMm},
-      blood_(model.profile(), samples_, coordinates_.free().oxygenation),
       layers_(std::move(layers)) {}
 
 FreeSpectra FreeSkin::evaluate(std::span<const ParameterVector> parameters,
@@ -34,27 +33,18 @@ FreeSpectra FreeSkin::evaluate(std::span<const ParameterVector> parameters,
   assert(parameters.size() == constants.size());
   const std::size_t count = parameters.size(), size = samples_.size() * count;
   std::vector<double> oxygenations(count), thicknesses(count);
-  std::vector<ParameterVector> bloodless(parameters.begin(), parameters.end());
   for (std::size_t i = 0; i < count; ++i) {
     oxygenations[i] = constants[i].oxygenation;
     thicknesses[i] = constants[i].thicknessMm;
-    bloodless[i][kHaemoglobinEpidermal] = 0.0;
   }
-  FreeBlood::Values blood = blood_.at(oxygenations);
-  // Of the dermis as it acts, and by how much it does so more than its own.
-  std::vector<double> epidermal(size), dermal(size), acting(size);
-  for (std::size_t s = 0; s < samples_.size(); ++s) {
-    const int sample = samples_[s];
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t at = s * count + i;
-      epidermal[at] = epidermalAbsorptionAt(epidermis_, sample, bloodless[i]) +
-                      parameters[i][kHaemoglobinEpidermal] * blood.epidermal[at];
-      const EffectiveAbsorption effective = withEdgeLoss(
-          edge_, dermis_.base[sample] + parameters[i][kHaemoglobinDermal] * blood.dermal[at],
-          dermalScattering_[sample]);
-      dermal[at] = effective.absorption;
-      acting[at] = effective.slope;
-    }
+  auto [epidermal, dermal, blood] = absorption_.at(parameters, oxygenations);
+  // The dermis as it acts, and by how much it does so more than its own.
+  std::vector<double> acting(size);
+  for (std::size_t at = 0; at < size; ++at) {
+    const EffectiveAbsorption effective =
+        withEdgeLoss(edge_, dermal[at], dermalScattering_[samples_[at / count]]);
+    dermal[at] = effective.absorption;
+    acting[at] = effective.slope;
   }
   LayerSpectra layers =
       layers_.evaluate({thicknesses.data(), epidermal.data(), dermal.data(), count}, derivatives);
@@ -75,6 +65,16 @@ FreeSpectra FreeSkin::evaluate(std::span<const ParameterVector> parameters,
   spectra.epidermalBlood = std::move(blood.epidermal);
   spectra.dermalBlood = std::move(blood.dermal);
   return spectra;
+}
+
+void FreeSkin::byParameters(const FreeSpectra& spectra, std::size_t s, std::size_t i,
+                            std::size_t count, const ParameterVector& parameters,
+                            ParameterVector& derivatives) const {
+  const std::size_t at = s * count + i;
+  const LayerPair byAbsorption = {spectra.perEpidermal[at], spectra.perDermal[at]};
+  absorption().byParameters(samples_[s], asSpan(parameters), byAbsorption, derivatives.data());
+  derivatives[kHaemoglobinDermal] = byAbsorption.dermal * spectra.dermalBlood[at];
+  derivatives[kHaemoglobinEpidermal] = byAbsorption.epidermal * spectra.epidermalBlood[at];
 }
 
 }  // namespace cutis

@@ -5,12 +5,13 @@
 //
 // Thread-safe: const after construction. A skin's values are its own, whatever the others are.
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
-#include "core/skin/free/free_blood.h"
+#include "core/skin/free/free_absorption.h"
 #include "core/skin/free/free_coordinates.h"
 #include "core/skin/free/free_layers.h"
 #include "core/skin/model/measurement_geometry.h"
@@ -35,7 +36,8 @@ struct FreeSpectra {
 
 class FreeSkin {
  public:
-  // samples: positions on the wavelength grid. Cost and errors: those of FreeLayers::make.
+  // samples: positions on the wavelength grid. Cost and errors: those of FreeLayers::make; and a
+  // profile with further chromophores is refused.
   static Result<FreeSkin> make(const SkinModel& model, std::span<const int> samples,
                                const FreeConstants& free, const JobContext& context,
                                const FreeSkinOptions& options = {});
@@ -44,12 +46,17 @@ class FreeSkin {
   const FreeCoordinates& coordinates() const { return coordinates_; }
   const ParameterAxes& axes() const { return axes_; }
   // Its blood is the profile's, not that of a skin.
-  const EpidermalAbsorption& epidermis() const { return epidermis_; }
+  const AbsorptionLaw& absorption() const { return absorption_.law(); }
 
   // One set of constants a skin, in their ranges; what is not free is the profile's, whatever is
   // asked for. Parameters within the profile's ranges.
   FreeSpectra evaluate(std::span<const ParameterVector> parameters,
                        std::span<const SkinConstants> constants, bool derivatives) const;
+
+  // ∂R by the five parameters at the sample in place `s` of samples(), of skin i out of `count`
+  // that have these parameters. Precondition: the spectra have derivatives.
+  void byParameters(const FreeSpectra& spectra, std::size_t s, std::size_t i, std::size_t count,
+                    const ParameterVector& parameters, ParameterVector& derivatives) const;
 
  private:
   FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates coordinates,
@@ -58,11 +65,9 @@ class FreeSkin {
   std::vector<int> samples_;
   FreeCoordinates coordinates_;
   ParameterAxes axes_;
-  EpidermalAbsorption epidermis_;
-  DermalAbsorption dermis_;
+  FreeAbsorption absorption_;
   Spectrum dermalScattering_;
   MeasurementGeometry edge_;  // its edge loss alone
-  FreeBlood blood_;
   FreeLayers layers_;
 };
 

@@ -25,6 +25,7 @@
 
 #include "core/maths/exp-inl.h"
 #include "core/skin/layers/node_constants.h"
+#include "core/skin/profile/parameter.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -39,16 +40,37 @@ struct LayeredVectors {
   V perThickness;  // only of LayeredReflectanceAt<true, true>
 };
 
-// Epidermal and dermal absorption at a node. melaninEu is C_m · β_m.
+// What absorbs in skin: the parameters, with the amount of eumelanin in place of the blend.
+template <class V>
+struct AmountVectors {
+  V melanin;
+  V eumelanin;  // C_m · β_m
+  V bloodDermal;
+  V bloodEpidermal;
+  V carotene;
+};
+static_assert(
+    kParameterCount == 5,
+    "a sixth has an amount in AmountVectors, a coefficient in NodeConstants and a term in "
+    "NodeAbsorption; its derivative is in core/fit/refined/linearise-inl.h");
+
+// value: a function from the index of a parameter to a vector.
+template <class Values>
+HWY_INLINE auto AmountsOf(const Values& value) -> AmountVectors<decltype(value(0))> {
+  const auto melanin = value(kMelanin);
+  return {melanin, hn::Mul(melanin, value(kMelaninBlend)), value(kHaemoglobinDermal),
+          value(kHaemoglobinEpidermal), value(kCarotene)};
+}
+
+// Epidermal and dermal absorption at a node.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE void NodeAbsorption(D d, const NodeConstants<hn::TFromD<D>>& node, V melanin,
-                               V melaninEu, V bloodDermal, V bloodEpidermal, V carotene,
-                               V& epidermal, V& dermal) {
-  V sum = hn::MulAdd(melanin, hn::Set(d, node.pheomelanin), hn::Set(d, node.epidermalBase));
-  sum = hn::MulAdd(melaninEu, hn::Set(d, node.melaninContrast), sum);
-  sum = hn::MulAdd(bloodEpidermal, hn::Set(d, node.epidermalBlood), sum);
-  epidermal = hn::MulAdd(carotene, hn::Set(d, node.carotene), sum);
-  dermal = hn::MulAdd(bloodDermal, hn::Set(d, node.dermalBlood), hn::Set(d, node.dermalBase));
+HWY_INLINE void NodeAbsorption(D d, const NodeConstants<hn::TFromD<D>>& node,
+                               const AmountVectors<V>& skin, V& epidermal, V& dermal) {
+  V sum = hn::MulAdd(skin.melanin, hn::Set(d, node.pheomelanin), hn::Set(d, node.epidermalBase));
+  sum = hn::MulAdd(skin.eumelanin, hn::Set(d, node.melaninContrast), sum);
+  sum = hn::MulAdd(skin.bloodEpidermal, hn::Set(d, node.epidermalBlood), sum);
+  epidermal = hn::MulAdd(skin.carotene, hn::Set(d, node.carotene), sum);
+  dermal = hn::MulAdd(skin.bloodDermal, hn::Set(d, node.dermalBlood), hn::Set(d, node.dermalBase));
 }
 
 // A layer as light sees it: the quantities of core/transport/diffusion.h.

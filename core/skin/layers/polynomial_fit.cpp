@@ -107,7 +107,7 @@ bool isRange(const AbsorptionRange& range) {
   return range.low >= 0.0 && range.low <= range.high && std::isfinite(range.high);
 }
 
-AbsorptionScale<float> single(const AbsorptionScale<double>& layer) {
+AbsorptionScale<float> singleScale(const AbsorptionScale<double>& layer) {
   return {static_cast<float>(layer.low), static_cast<float>(layer.high),
           static_cast<float>(layer.knee), static_cast<float>(layer.span),
           static_cast<float>(layer.end)};
@@ -161,8 +161,8 @@ Result<LayerPolynomial<double>> fitLayerPolynomial(const TwoLayers& layers,
 
 LayerPolynomial<float> singlePrecision(const LayerPolynomial<double>& polynomial) {
   LayerPolynomial<float> rounded;
-  rounded.epidermis = single(polynomial.epidermis);
-  rounded.dermis = single(polynomial.dermis);
+  rounded.epidermis = singleScale(polynomial.epidermis);
+  rounded.dermis = singleScale(polynomial.dermis);
   for (int i = 0; i < kEpidermalTerms; ++i) {
     for (int j = 0; j < kDermalTerms; ++j) {
       rounded.coefficients[i][j] = static_cast<float>(polynomial.coefficients[i][j]);

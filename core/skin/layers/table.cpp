@@ -23,31 +23,19 @@ TransportOptions transportOptions(const Profile& profile, const LayerTableOption
   return {options.streams, profile.refractiveIndex, options.anisotropy, options.illumination};
 }
 
-// Absorption is linear in each parameter while the others stand still: its extremes lie at corners.
-AbsorptionRange rangeOverBox(const ParameterAxes& axes, const auto& absorptionAt) {
-  AbsorptionRange range = {std::numeric_limits<double>::infinity(), 0.0};
-  for (int corner = 0; corner < 1 << kParameterCount; ++corner) {
-    ParameterVector parameters;
-    for (int k = 0; k < kParameterCount; ++k) {
-      parameters[k] = (corner >> k & 1) * axes[static_cast<std::size_t>(k)].maximum;
-    }
-    const double absorption = absorptionAt(parameters);
-    range.low = std::min(range.low, absorption);
-    range.high = std::max(range.high, absorption);
-  }
-  // A box may displace more tissue than there is.
-  range.low = std::max(range.low, 0.0);
-  return range;
+void include(AbsorptionRange& range, double absorption) {
+  range.low = std::min(range.low, absorption);
+  range.high = std::max(range.high, absorption);
 }
 
 struct ProfileOptics {
   explicit ProfileOptics(const Profile& profile)
-      : epidermis(epidermalAbsorption(profile)),
-        dermis(dermalAbsorption(profile)),
+      : absorption(profile),
+        corners(boxCorners(profile)),
         scattering(epidermalScattering(profile)),
         dermalScatter(dermalScattering(profile)) {}
-  EpidermalAbsorption epidermis;
-  DermalAbsorption dermis;
+  AbsorptionLaw absorption;
+  std::vector<std::vector<double>> corners;
   Spectrum scattering;
   Spectrum dermalScatter;
 };
@@ -57,12 +45,15 @@ TwoLayers layersAt(const Profile& profile, const ProfileOptics& optics, int samp
   layers.thickness = profile.epidermalThicknessMm;
   layers.epidermalScattering = optics.scattering[sample];
   layers.dermalScattering = optics.dermalScatter[sample];
-  layers.epidermalRange = rangeOverBox(profile.axes, [&](const ParameterVector& parameters) {
-    return epidermalAbsorptionAt(optics.epidermis, sample, parameters);
-  });
-  layers.dermalRange = rangeOverBox(profile.axes, [&](const ParameterVector& parameters) {
-    return dermalAbsorptionAt(optics.dermis, sample, parameters);
-  });
+  layers.epidermalRange = layers.dermalRange = {std::numeric_limits<double>::infinity(), 0.0};
+  for (const std::vector<double>& corner : optics.corners) {
+    const LayerPair absorption = optics.absorption.at(sample, corner);
+    include(layers.epidermalRange, absorption.epidermal);
+    include(layers.dermalRange, absorption.dermal);
+  }
+  // A box may displace more tissue than there is.
+  for (AbsorptionRange* range : {&layers.epidermalRange, &layers.dermalRange})
+    range->low = std::max(range->low, 0.0);
   return layers;
 }
 

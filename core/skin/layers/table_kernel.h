@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/layers
 
 // Entry points of the vectorised table, for core/skin/layers/table_batch.cpp.
 

@@ -1,5 +1,6 @@
 #include "core/skin/model/compiled_model.h"
 
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -70,16 +71,18 @@ CompiledModel::CompiledModel(const SkinModel& model, std::vector<int> samples)
       doubleLayers_(layerConstants<double>(model.profile())) {
   const Spectrum scattering = epidermalScattering(model.profile());
   const Spectrum dermalScatter = dermalScattering(model.profile());
-  const EpidermalAbsorption& epidermis = model.epidermis();
-  const DermalAbsorption& dermis = model.dermis();
+  static_assert(kParameterCount == 5, "a sixth has a coefficient in NodeConstants, filled in here");
+  assert(model.profile().further.empty());
+  const AbsorptionLaw& law = model.absorption();
   doubleTransport_ = transportAt(model.optics(), samples_);
   if (doubleTransport_) singleTransport_ = single(*doubleTransport_);
   for (std::size_t n = 0; n < samples_.size(); ++n) {
     const int i = samples_[n];
-    doubleNodes_.push_back({scattering[i], dermalScatter[i], epidermis.base[i],
-                            epidermis.pheomelanin[i],
-                            epidermis.eumelanin[i] - epidermis.pheomelanin[i], epidermis.blood[i],
-                            epidermis.carotene[i], dermis.base[i], dermis.blood[i],
+    const double eumelanin = law.perUnit(kMelanin, i), pheomelanin = law.perUnit(kMelaninBlend, i);
+    doubleNodes_.push_back({scattering[i], dermalScatter[i], law.base(SkinLayer::epidermis, i),
+                            pheomelanin, eumelanin - pheomelanin,
+                            law.perUnit(kHaemoglobinEpidermal, i), law.perUnit(kCarotene, i),
+                            law.base(SkinLayer::dermis, i), law.perUnit(kHaemoglobinDermal, i),
                             doubleTransport_ ? &(*doubleTransport_)[n] : nullptr});
     singleNodes_.push_back(
         single(doubleNodes_.back(), singleTransport_ ? &(*singleTransport_)[n] : nullptr));

@@ -4,7 +4,8 @@
 //
 // Everything a picture needs is a weighted sum of reflectances at some dozen nodes (see
 // core/spectra/spectral_nodes.h), so this is where the program spends its time. Single precision
-// for pixels, double where a result must be exact.
+// for pixels, double where a result must be exact. The kernels know the five parameters and no
+// further chromophores (core/skin/profile/chromophore_table.h).
 
 #include <memory>
 #include <vector>
@@ -16,7 +17,8 @@ namespace cutis {
 
 class CompiledModel {
  public:
-  // samples: positions on the wavelength grid, in the order of the nodes.
+  // samples: positions on the wavelength grid, in the order of the nodes. Precondition: the profile
+  // has no further chromophores (requireFive()).
   CompiledModel(const SkinModel& model, std::vector<int> samples);
 
   int nodeCount() const { return static_cast<int>(samples_.size()); }

@@ -17,22 +17,21 @@ LayeredReflectance InstrumentModel::evaluate(int sample, double epidermalAbsorpt
   return layered;
 }
 
-double InstrumentModel::reflectanceAt(int sample, const ParameterVector& parameters) const {
+double InstrumentModel::reflectanceAt(int sample, std::span<const double> parameters) const {
+  const LayerPair absorption = model_.absorption().at(sample, parameters);
   const EffectiveAbsorption effective =
-      withEdgeLoss(geometry_, dermalAbsorptionAt(model_.dermis(), sample, parameters),
-                   dermalScattering_[sample]);
+      withEdgeLoss(geometry_, absorption.dermal, dermalScattering_[sample]);
   return measuredReflectance(
-      geometry_, model_.optics().reflectance(
-                     sample, epidermalAbsorptionAt(model_.epidermis(), sample, parameters),
-                     effective.absorption));
+      geometry_, model_.optics().reflectance(sample, absorption.epidermal, effective.absorption));
 }
 
-double InstrumentModel::reflectanceAt(int sample, const ParameterVector& parameters,
-                                      ParameterVector& derivatives) const {
-  const LayeredReflectance layered =
-      evaluate(sample, epidermalAbsorptionAt(model_.epidermis(), sample, parameters),
-               dermalAbsorptionAt(model_.dermis(), sample, parameters));
-  derivatives = model_.parameterDerivatives(sample, parameters, layered);
+double InstrumentModel::reflectanceAt(int sample, std::span<const double> parameters,
+                                      double* derivatives) const {
+  const LayerPair absorption = model_.absorption().at(sample, parameters);
+  const LayeredReflectance layered = evaluate(sample, absorption.epidermal, absorption.dermal);
+  model_.absorption().byParameters(sample, parameters,
+                                   {layered.perEpidermalAbsorption, layered.perDermalAbsorption},
+                                   derivatives);
   return layered.reflectance;
 }
 

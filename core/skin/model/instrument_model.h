@@ -6,6 +6,8 @@
 // Thread-safe: const after construction. Parameters and absorptions are as in
 // core/skin/model/skin_model.h.
 
+#include <span>
+
 #include "core/skin/model/measurement_geometry.h"
 #include "core/skin/model/skin_model.h"
 
@@ -22,9 +24,15 @@ class InstrumentModel {
   LayeredReflectance evaluate(int sample, double epidermalAbsorption,
                               double dermalAbsorption) const;
 
-  double reflectanceAt(int sample, const ParameterVector& parameters) const;
+  double reflectanceAt(int sample, std::span<const double> parameters) const;
+  double reflectanceAt(int sample, const ParameterVector& parameters) const {
+    return reflectanceAt(sample, asSpan(parameters));
+  }
+  double reflectanceAt(int sample, std::span<const double> parameters, double* derivatives) const;
   double reflectanceAt(int sample, const ParameterVector& parameters,
-                       ParameterVector& derivatives) const;
+                       ParameterVector& derivatives) const {
+    return reflectanceAt(sample, asSpan(parameters), derivatives.data());
+  }
   Spectrum reflectance(const ParameterVector& parameters) const;
 
  private:

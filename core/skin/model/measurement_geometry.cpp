@@ -1,5 +1,6 @@
 #include "core/skin/model/measurement_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/transport/fresnel.h"
@@ -41,6 +42,14 @@ double measuredReflectance(const MeasurementGeometry& geometry, double reflectan
 
 double modelReflectance(const MeasurementGeometry& geometry, double measured) {
   return (measured - geometry.specularShare) / geometry.enteringShare;
+}
+
+std::vector<double> modelReflectances(const MeasurementGeometry& geometry,
+                                      std::span<const double> measured) {
+  std::vector<double> modelled(measured.size());
+  std::transform(measured.begin(), measured.end(), modelled.begin(),
+                 [&](double value) { return modelReflectance(geometry, value); });
+  return modelled;
 }
 
 EffectiveAbsorption withEdgeLoss(const MeasurementGeometry& geometry, double dermalAbsorption,

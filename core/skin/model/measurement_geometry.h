@@ -14,7 +14,9 @@
 // Shares are 0 to 1; k in mm⁻¹, finite and ≥ 0; absorption and reduced scattering in mm⁻¹. NaN in,
 // NaN out. Thread-safe: pure functions.
 
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 
@@ -55,6 +57,8 @@ Status validate(const MeasurementGeometry& geometry, const std::string& place);
 // s + e R, and its inverse (precondition: e > 0).
 double measuredReflectance(const MeasurementGeometry& geometry, double reflectance);
 double modelReflectance(const MeasurementGeometry& geometry, double measured);
+std::vector<double> modelReflectances(const MeasurementGeometry& geometry,
+                                      std::span<const double> measured);
 
 // A dermal absorption as it acts under the geometry's edge loss, and its derivative with respect to
 // the absorption: between −∞ and 1, since the loss falls as absorption rises. Precondition:

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/model
 
 // Spectral nodes chosen so far, of one skin model. A choice costs tens of milliseconds and the same
 // rows are asked for again and again: by each fit with a rig, by each view under a light.

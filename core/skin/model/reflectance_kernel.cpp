@@ -24,15 +24,10 @@ HWY_NOINLINE void Batch(const ReflectanceArguments<T>& arguments) {
     const auto load = [&](std::size_t k) HWY_ATTR {
       return LoadFirst(d, parameters.data + k * parameters.stride + i, live);
     };
-    const V melanin = load(kMelanin);
-    const V melaninEu = hn::Mul(melanin, load(kMelaninBlend));
-    const V bloodDermal = load(kHaemoglobinDermal);
-    const V bloodEpidermal = load(kHaemoglobinEpidermal);
-    const V carotene = load(kCarotene);
+    const AmountVectors<V> skin = AmountsOf(load);
     for (std::size_t n = 0; n < arguments.nodeCount; ++n) {
       V epidermal, dermal;
-      NodeAbsorption(d, arguments.nodes[n], melanin, melaninEu, bloodDermal, bloodEpidermal,
-                     carotene, epidermal, dermal);
+      NodeAbsorption(d, arguments.nodes[n], skin, epidermal, dermal);
       const LayeredVectors<V> layered = NodeReflectanceOf<kDerivatives>(
           d, arguments.layers, arguments.nodes[n], epidermal, dermal);
       const auto store = [&](V value, const PixelRows<T>& rows) HWY_ATTR {

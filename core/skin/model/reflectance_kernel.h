@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/model
 
 // Entry points of the vectorised forward model, for core/skin/model/reflectance_batch.cpp.
 

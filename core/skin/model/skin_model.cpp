@@ -8,18 +8,12 @@
 namespace cutis {
 
 SkinModel::SkinModel(const Profile& profile)
-    : profile_(profile),
-      epidermis_(epidermalAbsorption(profile)),
-      dermis_(dermalAbsorption(profile)),
-      optics_(makeDiffusionOptics(profile)) {
+    : profile_(profile), absorption_(profile), optics_(makeDiffusionOptics(profile)) {
   assert(profile.layerOptics == LayerOpticsKind::diffusion);
 }
 
 SkinModel::SkinModel(const Profile& profile, std::shared_ptr<const LayerTable> table)
-    : profile_(profile),
-      epidermis_(epidermalAbsorption(profile)),
-      dermis_(dermalAbsorption(profile)),
-      optics_(makeTabulatedOptics(std::move(table))) {
+    : profile_(profile), absorption_(profile), optics_(makeTabulatedOptics(std::move(table))) {
   assert(profile.layerOptics == LayerOpticsKind::addingDoubling);
 }
 
@@ -33,40 +27,27 @@ Result<std::shared_ptr<const SkinModel>> SkinModel::create(const Profile& profil
                                            std::make_shared<const LayerTable>(std::move(table)));
 }
 
-double SkinModel::reflectanceAt(int sample, const ParameterVector& parameters) const {
-  return optics_->reflectance(sample, epidermalAbsorptionAt(epidermis_, sample, parameters),
-                              dermalAbsorptionAt(dermis_, sample, parameters));
+double SkinModel::reflectanceAt(int sample, std::span<const double> parameters) const {
+  const LayerPair absorption = absorption_.at(sample, parameters);
+  return optics_->reflectance(sample, absorption.epidermal, absorption.dermal);
 }
 
-Spectrum SkinModel::reflectance(const ParameterVector& parameters) const {
+Spectrum SkinModel::reflectance(std::span<const double> parameters) const {
   Spectrum spectrum;
   for (int i = 0; i < kSampleCount; ++i)
     spectrum[i] = reflectanceAt(i, parameters);
   return spectrum;
 }
 
-double SkinModel::reflectanceAt(int sample, const ParameterVector& parameters,
-                                ParameterVector& derivatives) const {
+double SkinModel::reflectanceAt(int sample, std::span<const double> parameters,
+                                double* derivatives) const {
+  const LayerPair absorption = absorption_.at(sample, parameters);
   const LayeredReflectance layered =
-      optics_->evaluate(sample, epidermalAbsorptionAt(epidermis_, sample, parameters),
-                        dermalAbsorptionAt(dermis_, sample, parameters));
-  derivatives = parameterDerivatives(sample, parameters, layered);
+      optics_->evaluate(sample, absorption.epidermal, absorption.dermal);
+  absorption_.byParameters(sample, parameters,
+                           {layered.perEpidermalAbsorption, layered.perDermalAbsorption},
+                           derivatives);
   return layered.reflectance;
-}
-
-ParameterVector SkinModel::parameterDerivatives(int sample, const ParameterVector& parameters,
-                                                const LayeredReflectance& layered) const {
-  ParameterVector derivatives;
-  const double eumelanin = epidermis_.eumelanin[sample];
-  const double pheomelanin = epidermis_.pheomelanin[sample];
-  const double blend = parameters[kMelaninBlend];
-  const double perEpidermal = layered.perEpidermalAbsorption;
-  derivatives[kMelanin] = perEpidermal * (blend * eumelanin + (1.0 - blend) * pheomelanin);
-  derivatives[kMelaninBlend] = perEpidermal * parameters[kMelanin] * (eumelanin - pheomelanin);
-  derivatives[kHaemoglobinDermal] = layered.perDermalAbsorption * dermis_.blood[sample];
-  derivatives[kHaemoglobinEpidermal] = perEpidermal * epidermis_.blood[sample];
-  derivatives[kCarotene] = perEpidermal * epidermis_.carotene[sample];
-  return derivatives;
 }
 
 Spectrum SkinModel::reflectance(const ParameterVector& parameters,
@@ -78,11 +59,6 @@ Spectrum SkinModel::reflectance(const ParameterVector& parameters,
     derivatives.row(i) = row.transpose();
   }
   return spectrum;
-}
-
-bool SkinModel::holdsAt(int sample, const ParameterVector& parameters) const {
-  return optics_->holds(sample, epidermalAbsorptionAt(epidermis_, sample, parameters),
-                        dermalAbsorptionAt(dermis_, sample, parameters));
 }
 
 }  // namespace cutis

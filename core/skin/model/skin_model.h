@@ -1,12 +1,15 @@
 #pragma once
 
-// The model of a profile, in double precision: five parameters to a reflectance spectrum. The
-// reference that every faster path is held against.
+// The model of a profile, in double precision: parameters to a reflectance spectrum. The reference
+// that every faster path is held against.
 //
-// Thread-safe: const after construction. Parameters outside the profile's ranges are evaluated as
-// they are; the result is meaningful as long as no absorption turns negative.
+// Parameters are five, or as many as the profile has (parameterCount()); without the amounts of its
+// further chromophores these are 0. Outside the profile's ranges they are evaluated as they are;
+// the result is meaningful as long as no absorption turns negative. Thread-safe: const after
+// construction.
 
 #include <memory>
+#include <span>
 
 #include <Eigen/Core>
 
@@ -38,30 +41,31 @@ class SkinModel {
                                                          const JobContext& context = {});
 
   const Profile& profile() const { return profile_; }
-  const EpidermalAbsorption& epidermis() const { return epidermis_; }
-  const DermalAbsorption& dermis() const { return dermis_; }
+  const AbsorptionLaw& absorption() const { return absorption_; }
   const LayerOptics& optics() const { return *optics_; }
   // For chooseNodes().
   NodeCache& nodeCache() const { return *nodeCache_; }
 
-  double reflectanceAt(int sample, const ParameterVector& parameters) const;
-  Spectrum reflectance(const ParameterVector& parameters) const;
+  double reflectanceAt(int sample, std::span<const double> parameters) const;
+  double reflectanceAt(int sample, const ParameterVector& parameters) const {
+    return reflectanceAt(sample, asSpan(parameters));
+  }
+  Spectrum reflectance(std::span<const double> parameters) const;
+  Spectrum reflectance(const ParameterVector& parameters) const {
+    return reflectance(asSpan(parameters));
+  }
 
-  // Reflectance at one sample and its five derivatives.
+  // Reflectance at one sample and its derivatives, as many as there are parameters.
+  double reflectanceAt(int sample, std::span<const double> parameters, double* derivatives) const;
   double reflectanceAt(int sample, const ParameterVector& parameters,
-                       ParameterVector& derivatives) const;
+                       ParameterVector& derivatives) const {
+    return reflectanceAt(sample, asSpan(parameters), derivatives.data());
+  }
   Spectrum reflectance(const ParameterVector& parameters, SpectrumJacobian& derivatives) const;
-  // From derivatives by the layers' absorptions, at these parameters, to those by the parameters.
-  ParameterVector parameterDerivatives(int sample, const ParameterVector& parameters,
-                                       const LayeredReflectance& layered) const;
-
-  // Whether the layer optics hold at this sample.
-  bool holdsAt(int sample, const ParameterVector& parameters) const;
 
  private:
   Profile profile_;
-  EpidermalAbsorption epidermis_;
-  DermalAbsorption dermis_;
+  AbsorptionLaw absorption_;
   std::unique_ptr<const LayerOptics> optics_;
   std::unique_ptr<NodeCache> nodeCache_ = std::make_unique<NodeCache>();
 };

@@ -16,47 +16,42 @@ Spectrum scatteringOf(const ReducedScattering& law) {
 
 }  // namespace
 
-EpidermalAbsorption epidermalAbsorption(const Profile& profile) {
+AbsorptionLaw::AbsorptionLaw(const Profile& profile) {
+  std::vector<Spectrum> columns = {baseIn(profile, SkinLayer::epidermis),
+                                   baseIn(profile, SkinLayer::dermis)};
+  for (int k = 0; k < cutis::parameterCount(profile); ++k) {
+    layers_.push_back(chromophoreOf(profile, k).layer);
+    columns.push_back(chromophoreOf(profile, k).absorption(profile));
+  }
+  coefficients_.reserve(columns.size() * kSampleCount);
+  for (int i = 0; i < kSampleCount; ++i) {
+    for (const Spectrum& column : columns)
+      coefficients_.push_back(column[i]);
+  }
+}
+
+double AbsorptionLaw::base(SkinLayer layer, int sample) const {
+  return ofSample(sample)[layer == SkinLayer::epidermis ? 0 : 1];
+}
+
+double waterIn(const Profile& profile, SkinLayer layer) {
+  return layer == SkinLayer::epidermis ? profile.epidermalWater : profile.dermalWater;
+}
+
+Spectrum tissueIn(const Profile& profile, SkinLayer layer) {
+  if (layer == SkinLayer::dermis) return profile.dermalBaselineFactor * baselineOf(profile);
   Spectrum tissue = baselineOf(profile);
   if (profile.epidermalUltraviolet.amplitude != 0.0) {
     tissue += onGrid(profile.epidermalUltraviolet);
   }
-  const CaroteneInSkin& carotene = profile.caroteneInSkin;
-  const double dry = 1.0 - profile.epidermalWater;
-  EpidermalAbsorption epidermis;
-  epidermis.base = tissue + profile.epidermalWater * profile.water;
-  epidermis.eumelanin = dry * onGrid(profile.eumelanin) - tissue;
-  epidermis.pheomelanin = dry * onGrid(profile.pheomelanin) - tissue;
-  epidermis.blood = dry * bloodIn(profile, profile.epidermalBlood) - tissue;
-  epidermis.carotene = carotene.scale * shiftedAndSmoothed(profile.carotene, carotene.shiftNm,
-                                                           carotene.smoothingNm) -
-                       tissue;
-  return epidermis;
+  return tissue;
 }
 
-DermalAbsorption dermalAbsorption(const Profile& profile) {
-  const Spectrum tissue = profile.dermalBaselineFactor * baselineOf(profile);
-  const double dry = 1.0 - profile.dermalWater;
-  DermalAbsorption dermis;
-  dermis.base = tissue + profile.dermalWater * profile.water;
-  if (profile.dermalFat != 0.0) dermis.base += profile.dermalFat * onGrid(profile.fat);
-  dermis.blood = dry * bloodIn(profile, profile.dermalBlood) - tissue;
-  return dermis;
-}
-
-double epidermalAbsorptionAt(const EpidermalAbsorption& epidermis, int sample,
-                             const ParameterVector& parameters) {
-  const double blend = parameters[kMelaninBlend];
-  const double melanin =
-      blend * epidermis.eumelanin[sample] + (1.0 - blend) * epidermis.pheomelanin[sample];
-  return epidermis.base[sample] + parameters[kMelanin] * melanin +
-         parameters[kHaemoglobinEpidermal] * epidermis.blood[sample] +
-         parameters[kCarotene] * epidermis.carotene[sample];
-}
-
-double dermalAbsorptionAt(const DermalAbsorption& dermis, int sample,
-                          const ParameterVector& parameters) {
-  return dermis.base[sample] + parameters[kHaemoglobinDermal] * dermis.blood[sample];
+Spectrum baseIn(const Profile& profile, SkinLayer layer) {
+  Spectrum base = tissueIn(profile, layer) + waterIn(profile, layer) * profile.water;
+  const bool hasFat = layer == SkinLayer::dermis && profile.dermalFat != 0.0;
+  if (hasFat) base += profile.dermalFat * onGrid(profile.fat);
+  return base;
 }
 
 double packagingFactor(double absorptionPerMm, double radiusMm) {
@@ -84,7 +79,7 @@ Spectrum dermalScattering(const Profile& profile) {
 }
 
 double longestPathMm(const Profile& profile) {
-  return 1.0 / (epidermalScattering(profile) + epidermalAbsorption(profile).base).minCoeff();
+  return 1.0 / (epidermalScattering(profile) + baseIn(profile, SkinLayer::epidermis)).minCoeff();
 }
 
 }  // namespace cutis

@@ -11,10 +11,6 @@ std::string_view constantName(SkinConstant constant) {
   return constant == kOxygenation ? "oxygenation" : "thickness_mm";
 }
 
-std::string_view constantSymbol(SkinConstant constant) {
-  return constant == kOxygenation ? "γ" : "d";
-}
-
 std::vector<std::string> constantNames(const FreeConstants& free) {
   std::vector<std::string> names;
   for (const SkinConstant constant : kSkinConstants) {

@@ -21,9 +21,8 @@ inline constexpr int kConstantCount = 2;
 inline constexpr std::array<SkinConstant, kConstantCount> kSkinConstants = {kOxygenation,
                                                                             kThickness};
 
-// "oxygenation", "thickness_mm"; "γ", "d".
+// "oxygenation", "thickness_mm".
 std::string_view constantName(SkinConstant constant);
-std::string_view constantSymbol(SkinConstant constant);
 
 // Which of them are free.
 struct FreeConstants {

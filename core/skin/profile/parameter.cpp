@@ -2,28 +2,20 @@
 
 #include <cstddef>
 
+#include "core/skin/profile/chromophore_table.h"
+
 namespace cutis {
-namespace {
-
-struct Naming {
-  std::string_view name;
-  std::string_view symbol;
-};
-
-constexpr std::array<Naming, kParameterCount> kNaming = {{{"melanin", "C_m"},
-                                                          {"melanin_blend", "β_m"},
-                                                          {"haemoglobin_dermal", "C_hd"},
-                                                          {"haemoglobin_epidermal", "C_he"},
-                                                          {"carotene", "C_bc"}}};
-
-}  // namespace
 
 std::string_view parameterName(Parameter parameter) {
-  return kNaming[static_cast<std::size_t>(parameter)].name;
+  return chromophoreTable()[static_cast<std::size_t>(parameter)].name;
 }
 
 std::string_view parameterSymbol(Parameter parameter) {
-  return kNaming[static_cast<std::size_t>(parameter)].symbol;
+  return chromophoreTable()[static_cast<std::size_t>(parameter)].symbol;
+}
+
+std::string_view parameterUnit(Parameter parameter) {
+  return chromophoreTable()[static_cast<std::size_t>(parameter)].unit;
 }
 
 std::optional<Parameter> parameterByName(std::string_view name) {

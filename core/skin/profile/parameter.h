@@ -1,7 +1,8 @@
 #pragma once
 
 // The five numbers that describe the skin of one pixel, in the order used everywhere: files,
-// options, planes.
+// options, planes. What is said of each is a row of core/skin/profile/chromophore_table.h. Where
+// five is frozen a static_assert on kParameterCount names what a sixth needs there.
 
 #include <array>
 #include <optional>
@@ -25,6 +26,8 @@ inline constexpr std::array<Parameter, kParameterCount> kParameters = {
 std::string_view parameterName(Parameter parameter);
 // "C_m", "β_m", …
 std::string_view parameterSymbol(Parameter parameter);
+// "volume fraction", "g/L", …
+std::string_view parameterUnit(Parameter parameter);
 std::optional<Parameter> parameterByName(std::string_view name);
 
 }  // namespace cutis

@@ -3,6 +3,7 @@
 // A pixel's parameters as one vector, and the ranges they live in.
 
 #include <array>
+#include <span>
 
 #include <Eigen/Core>
 
@@ -12,6 +13,12 @@ namespace cutis {
 
 // Indexed by Parameter.
 using ParameterVector = Eigen::Array<double, kParameterCount, 1>;
+
+// Where as many parameters are taken as the profile has (core/skin/profile/profile.h); refers to
+// the vector.
+inline std::span<const double> asSpan(const ParameterVector& parameters) {
+  return {parameters.data(), static_cast<std::size_t>(kParameterCount)};
+}
 
 // One parameter's range and the samples it has in the table of skin (paper, Table 2 and eq. 7):
 // value(i) = maximum · (i / N)^exponent for i = 0…N.

@@ -8,6 +8,7 @@ namespace {
 
 // The positive root of x^6 = x + 1: the generalised golden ratio of five dimensions.
 constexpr double kRatio = 1.1673039782614187;
+static_assert(kParameterCount == 5, "the root of x^(n + 1) = x + 1 for n parameters");
 // The fractions of √2 and √3.
 constexpr double kTurns[] = {0.41421356237309515, 0.7320508075688772};
 

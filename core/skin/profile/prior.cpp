@@ -1,6 +1,7 @@
 #include "core/skin/profile/prior.h"
 
 #include <cmath>
+#include <cstddef>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -28,6 +29,13 @@ Status validateParts(const Prior& prior, const std::string& place, const std::st
 }
 
 }  // namespace
+
+std::array<bool, kParameterCount> alwaysLinear() {
+  std::array<bool, kParameterCount> linear;
+  for (std::size_t k = 0; k < linear.size(); ++k)
+    linear[k] = chromophoreTable()[k].priorScale == PriorScale::linear;
+  return linear;
+}
 
 ParameterMatrix Prior::precision() const {
   const ParameterMatrix inverse = correlation.llt().solve(ParameterMatrix::Identity());

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/skin/profile/chromophore_table.h"
 #include "core/skin/profile/parameter_axis.h"
 
 namespace cutis {
@@ -19,18 +20,15 @@ namespace cutis {
 // Rows and columns indexed by Parameter.
 using ParameterMatrix = Eigen::Matrix<double, kParameterCount, kParameterCount>;
 
-enum class PriorScale {
-  linear,  // mean and deviation in the parameter's own unit
-  log,     // mean: the median, in the parameter's own unit; deviation: of its natural logarithm.
-           // Parameters that stay linear are as in `linear`.
-};
+// Which rows of the table are linear on either scale.
+std::array<bool, kParameterCount> alwaysLinear();
 
 struct Prior {
   PriorScale scale = PriorScale::log;
   ParameterVector mean = ParameterVector::Zero();
   ParameterVector deviation = ParameterVector::Ones();  // positive
-  // Which parameters stay linear on the log scale.
-  std::array<bool, kParameterCount> staysLinear = {false, true, false, false, false};
+  // Which parameters stay linear on the log scale: as PriorScale::linear.
+  std::array<bool, kParameterCount> staysLinear = alwaysLinear();
   // Of the coordinates: symmetric, 1 on the diagonal, positive definite.
   ParameterMatrix correlation = ParameterMatrix::Identity();
 

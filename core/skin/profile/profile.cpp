@@ -1,6 +1,7 @@
 #include "core/skin/profile/profile.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/skin/profile/absorption.h"
 
@@ -28,11 +29,26 @@ Status require(bool condition, const std::string& place, const std::string& fiel
   return inputError(place, field + " must be " + demand);
 }
 
+// Further chromophores have names of their own and something to absorb with.
+Status validateFurther(const Profile& profile, const std::string& place) {
+  for (int k = kParameterCount; k < parameterCount(profile); ++k) {
+    const Chromophore& own = chromophoreOf(profile, k);
+    bool isNew = !own.name.empty();
+    for (int j = 0; j < k; ++j)
+      isNew = isNew && chromophoreOf(profile, j).name != own.name;
+    CUTIS_CHECK(require(isNew, place, "the name of a further chromophore, '" + own.name + "',",
+                        "that of no other parameter"));
+    CUTIS_CHECK(require(static_cast<bool>(own.absorption), place, own.name + ".absorption",
+                        "given, as a spectrum"));
+  }
+  return {};
+}
+
 Status validateParameters(const Profile& profile, const std::string& place) {
-  for (const Parameter parameter : kParameters) {
-    const auto i = static_cast<std::size_t>(parameter);
-    const ParameterAxis& axis = profile.axes[i];
-    const std::string field = "parameters." + std::string(parameterName(parameter));
+  CUTIS_CHECK(validateFurther(profile, place));
+  for (int k = 0; k < parameterCount(profile); ++k) {
+    const ParameterAxis& axis = axisOf(profile, k);
+    const std::string field = "parameters." + chromophoreOf(profile, k).name;
     CUTIS_CHECK(require(axis.maximum > 0.0 && std::isfinite(axis.maximum), place,
                         field + ".maximum", "positive"));
     CUTIS_CHECK(require(axis.samples >= 2 && axis.samples <= 256, place, field + ".samples",
@@ -106,20 +122,13 @@ Status validateTissue(const Profile& profile, const std::string& place) {
 
 Status validateAbsorption(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(validateTissue(profile, place));
-  const EpidermalAbsorption epidermis = epidermalAbsorption(profile);
-  const DermalAbsorption dermis = dermalAbsorption(profile);
-  // Absorption is linear in each concentration, so its extremes are at corners of the box.
-  for (int corner = 0; corner < 1 << kParameterCount; ++corner) {
-    ParameterVector parameters;
-    for (int k = 0; k < kParameterCount; ++k) {
-      parameters[k] =
-          (corner >> k & 1) != 0 ? profile.axes[static_cast<std::size_t>(k)].maximum : 0.0;
-    }
+  const AbsorptionLaw law(profile);
+  for (const std::vector<double>& corner : boxCorners(profile)) {
     for (int i = 0; i < kSampleCount; ++i) {
       const std::string where = " over the whole parameter range, and is not at " +
                                 std::to_string(kFirstWavelengthNm + i * kWavelengthStepNm) + " nm";
-      for (const double absorption : {epidermalAbsorptionAt(epidermis, i, parameters),
-                                      dermalAbsorptionAt(dermis, i, parameters)}) {
+      const LayerPair layers = law.at(i, corner);
+      for (const double absorption : {layers.epidermal, layers.dermal}) {
         CUTIS_CHECK(require(absorption < kMaximumAbsorptionPerMm, place, "absorption",
                             "below a million per mm" + where));
         CUTIS_CHECK(require(absorption >= 0.0, place, "absorption", "positive" + where));
@@ -166,6 +175,40 @@ Status validateLayers(const Profile& profile, const std::string& place) {
 }
 
 }  // namespace
+
+int parameterCount(const Profile& profile) {
+  return kParameterCount + static_cast<int>(profile.further.size());
+}
+
+const Chromophore& chromophoreOf(const Profile& profile, int parameter) {
+  return parameter < kParameterCount
+             ? chromophoreTable()[static_cast<std::size_t>(parameter)]
+             : profile.further[static_cast<std::size_t>(parameter - kParameterCount)];
+}
+
+const ParameterAxis& axisOf(const Profile& profile, int parameter) {
+  return parameter < kParameterCount ? profile.axes[static_cast<std::size_t>(parameter)]
+                                     : chromophoreOf(profile, parameter).range;
+}
+
+std::vector<std::vector<double>> boxCorners(const Profile& profile) {
+  const int count = parameterCount(profile);
+  std::vector<std::vector<double>> corners;
+  for (int corner = 0; corner < 1 << count; ++corner) {
+    std::vector<double> parameters;
+    for (int k = 0; k < count; ++k)
+      parameters.push_back((corner >> k & 1) * axisOf(profile, k).maximum);
+    corners.push_back(std::move(parameters));
+  }
+  return corners;
+}
+
+Status requireFive(const Profile& profile, const std::string& what) {
+  if (profile.further.empty()) return {};
+  return inputError(profile.name, what + " knows the five parameters alone, and this profile has " +
+                                      profile.further.front().name +
+                                      " beside them; leave that out, or work with spectra");
+}
 
 Status validate(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(validateParameters(profile, place));

@@ -6,8 +6,10 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
+#include "core/skin/profile/chromophore_table.h"
 #include "core/skin/profile/parameter_axis.h"
 #include "core/skin/profile/prior.h"
 #include "core/skin/profile/spectral_laws.h"
@@ -54,8 +56,10 @@ struct Profile {
   std::string name;
   std::string description;
 
-  ParameterAxes axes;
+  ParameterAxes axes = paperAxes();
   Prior prior;
+  // Beyond the five, as rows of their own; no file holds them.
+  std::vector<Chromophore> further;
 
   // Absorption of the pure chromophores.
   PowerLaw eumelanin;    // paper, eq. 3
@@ -89,6 +93,21 @@ struct Profile {
   double refractiveIndex = 1.0;  // of both layers
   LayerOpticsKind layerOptics = LayerOpticsKind::diffusion;
 };
+
+// The numbers that describe skin of a profile are the five and the amounts of its further
+// chromophores, in this order; of these, how many there are, the row and the range of one.
+// Precondition: 0 ≤ parameter < parameterCount(profile).
+int parameterCount(const Profile& profile);
+const Chromophore& chromophoreOf(const Profile& profile, int parameter);
+const ParameterAxis& axisOf(const Profile& profile, int parameter);
+
+// Every combination of the ends of their ranges. Absorption is linear in each parameter while the
+// others stand still, so that its extremes are among these.
+std::vector<std::vector<double>> boxCorners(const Profile& profile);
+
+// Refuses a profile with further chromophores where only the five are known; `what` is named in the
+// sentence: "a fit of photographs".
+Status requireFive(const Profile& profile, const std::string& what);
 
 // Checks what the equations need: positive ranges and scattering, fractions within [0, 1], finite
 // numbers, a proper prior, an epidermis thick enough for its layer optics; and that a table of its

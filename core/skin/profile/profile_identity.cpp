@@ -65,6 +65,11 @@ void addBeyondThePaper(Sink& sink, const Profile& profile) {
     sink.add("dermal scattering");
     addScattering(sink, *profile.dermalScatteringLaw);
   }
+  for (const Chromophore& further : profile.further) {
+    sink.add("further").add(std::string_view(further.name));
+    sink.add(double(static_cast<int>(further.layer))).add(further.range.maximum);
+    addSpectrum(sink, further.absorption(profile));
+  }
 }
 
 template <typename Sink>

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/skin/profile
 
 // Formulas of the wavelength λ (nm) that the skin model's constants stand in, and what they give on
 // the grid. What a value means, mm⁻¹ as a rule, is said by the field that holds the law.

@@ -1,12 +1,10 @@
 #include "src/app/document/document.h"
 
-#include <array>
 #include <utility>
 
 #include "core/skin/parameter_buffer.h"
-#include "src/app/document/scene_fit.h"
 #include "src/app/fit_method.h"
-#include "src/app/open/source_for_profile.h"
+#include "src/app/open/source_fit.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"
 
@@ -19,6 +17,15 @@ constexpr int kMapsIntervalMs = 50;
 
 QString sentenceOf(const Error& error) {
   return QString::fromStdString(error.text());
+}
+
+// Of a buffer of one pixel.
+ParameterVector onlyPixelOf(const ParameterBuffer& buffer) {
+  ParameterVector parameters;
+  for (const Parameter k : kParameters) {
+    parameters[k] = double{buffer.values[static_cast<std::size_t>(k)].front()};
+  }
+  return parameters;
 }
 
 }  // namespace
@@ -39,19 +46,26 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
 
 // The same photographs whatever they are fitted with.
 void Document::openSample() {
-  startOpening(tr("Sample face patch"), {},
-               [this](const auto& model, const JobContext& context) -> Result<Source> {
-                 CUTIS_TRY(painted, engine_.model(kDefaultProfile, {}));
-                 CUTIS_TRY(sample, cutis::openSample(*painted, store_, context));
-                 return changeProfile(sample, {}, model, engine_, store_, context);
+  const SourceReader paint = [this](const SkinModel& model,
+                                    const JobContext& context) -> Result<Source> {
+    CUTIS_TRY(painted, engine_.model(kDefaultProfile, {}));
+    CUTIS_TRY(sample, cutis::openSample(*painted, store_, context));
+    return sourceForModel(sample, model);
+  };
+  startOpening(tr("Sample face patch"),
+               [this, paint, choice = usualFit_](const JobContext& context) {
+                 return openedSource({}, choice, paint, context);
                });
 }
 
 void Document::open(const std::filesystem::path& path) {
-  if (!looksLikeCapture(path) && isMapsFile(path)) return openMaps(path);
-  startOpening(QString::fromStdString(path.filename().string()), {path},
-               [this, path](const auto& model, const JobContext& context) {
-                 return openForProfile(path, model, engine_, store_, context);
+  const SourceReader read = [this, path](const SkinModel& model, const JobContext& context) {
+    return openSource(path, {}, model, store_, context);
+  };
+  startOpening(QString::fromStdString(path.filename().string()),
+               [this, path, read, choice = usualFit_](const JobContext& context) {
+                 if (!looksLikeCapture(path) && isMapsFile(path)) return openedMaps(path, context);
+                 return openedSource({path}, choice, read, context);
                });
 }
 
@@ -63,75 +77,73 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
   return context;
 }
 
-void Document::startOpening(const QString& name, std::vector<std::filesystem::path> files,
-                            Opener open) {
+void Document::startOpening(const QString& name, Opener open) {
   jobs_.cancel(opening_);
   opening_ = jobs_.start(
-      tr("Open %1").arg(name),
-      [this, open = std::move(open), files, choice = usualFit_](const JobRunner::Handle& job) {
-        const auto fail = [&](const Error& error) {
-          job.post([this, sentence = sentenceOf(error)] { Q_EMIT failed(sentence); });
-        };
-        const JobContext context = contextOf(job);
-        const auto model = engine_.model(choice.profile, {});
-        if (model.failed()) return fail(model.error());
-        auto source = open(model.value(), context.child(0.0, 1.0, "reading"));
-        if (source.failed()) return fail(source.error());
-        if (!source) return;
-        auto shared = std::make_shared<const Source>(std::move(source).value());
-        Scene scene;
-        scene.model = model.value();
-        scene.source = shared;
-        scene.maps = FitPlanes(shared->measurements, {}, store_).maps;
-        job.post([this, scene, files, choice] {
-          take(scene, choice, QString::fromStdString(scene.source->name), files);
-          startFit();
-        });
+      tr("Open %1").arg(name), [this, open = std::move(open)](const JobRunner::Handle& job) {
+        auto opened = open(contextOf(job));
+        if (opened.failed()) {
+          job.post([this, sentence = sentenceOf(opened.error())] { Q_EMIT failed(sentence); });
+        } else if (opened) {
+          job.post([this, result = opened.value()] { take(result); });
+        }
       });
 }
 
-void Document::openMaps(const std::filesystem::path& path) {
-  jobs_.cancel(opening_);
-  const QString name = QString::fromStdString(path.filename().string());
-  opening_ = jobs_.start(tr("Open %1").arg(name), [this, path, name](const JobRunner::Handle& job) {
-    const auto fail = [&](const Error& error) {
-      job.post([this, sentence = sentenceOf(error)] { Q_EMIT failed(sentence); });
-    };
-    const auto file = readMaps(path, PixelFormat::float32, store_, job.context);
-    if (file.failed()) return fail(file.error());
-    if (!file) return;
-    const MapsAttributes& attributes = file.value().attributes;
-    const auto model = attributes.profileJson.empty()
-                           ? engine_.model(kDefaultProfile, path.string())
-                           : engine_.modelFromText(attributes.profileJson, path.string());
-    if (model.failed()) return fail(model.error());
-    Scene scene;
-    scene.model = model.value();
-    scene.maps = file.value().maps;
-    FitChoice choice = {model.value()->profile().name, FitMethod::refined, false};
-    if (const auto method = fitMethodNamed(attributes.method, {})) choice.method = method.value();
-    choice.shading = !file.value().shading.empty();
-    job.post([this, scene, choice, name, path] {
-      take(scene, choice, name, {path});
-      fitted_ = true;
-      Q_EMIT fitted();
-    });
-  });
+Result<Document::Opened> Document::openedSource(std::vector<std::filesystem::path> files,
+                                                const FitChoice& choice, const SourceReader& read,
+                                                const JobContext& context) {
+  CUTIS_TRY(model, engine_.model(choice.profile, {}));
+  CUTIS_TRY(source, read(*model, context.child(0.0, 1.0, "reading")));
+  Opened opened;
+  opened.choice = choice;
+  opened.name = QString::fromStdString(source.name);
+  opened.files = std::move(files);
+  opened.scene.model = model;
+  opened.scene.source = std::make_shared<const Source>(std::move(source));
+  opened.scene.maps = FitPlanes(opened.scene.source->measurements, {}, store_).maps;
+  return opened;
 }
 
-void Document::take(Scene scene, const FitChoice& choice, const QString& name,
-                    std::vector<std::filesystem::path> files) {
+Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
+                                              const JobContext& context) {
+  CUTIS_TRY(file, readMaps(path, PixelFormat::float32, store_, context.child(0.0, 0.5, "reading")));
+  const MapsAttributes& attributes = file.attributes;
+  CUTIS_TRY(model, attributes.profileJson.empty()
+                       ? engine_.model(kDefaultProfile, path.string())
+                       : engine_.modelFromText(attributes.profileJson, path.string()));
+  Opened opened;
+  opened.name = QString::fromStdString(path.filename().string());
+  opened.files = {path};
+  opened.scene.model = model;
+  opened.scene.maps = file.maps;
+  opened.choice = {model->profile().name, FitMethod::refined, false};
+  if (const auto method = fitMethodNamed(attributes.method, {})) {
+    opened.choice.method = method.value();
+  }
+  opened.choice.shading = !file.shading.empty();
+  if (file.maps.free().count() == 0) return opened;
+  CUTIS_TRY(spectra,
+            SkinSpectra::make(model, file.maps.free(), context.child(0.5, 1.0, "spectra")));
+  opened.scene.spectra = std::make_shared<const SkinSpectra>(std::move(spectra));
+  return opened;
+}
+
+void Document::take(const Opened& opened) {
   cancelFit();
-  scene_ = std::move(scene);
-  choice_ = choice;
-  name_ = name;
-  sourceFiles_ = std::move(files);
+  scene_ = opened.scene;
+  choice_ = opened.choice;
+  name_ = opened.name;
+  sourceFiles_ = opened.files;
   fitted_ = false;
   statistics_ = {};
   lastFit_.reset();
   history_ = {};
-  Q_EMIT opened();
+  Q_EMIT this->opened();
   Q_EMIT fitChoiceChanged();
+  if (canFit()) return startFit();
+  fitted_ = true;
+  Q_EMIT fitted();
 }
 
 void Document::fitWith(const FitChoice& choice) {
@@ -157,11 +169,10 @@ void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network,
 void Document::startFit() {
   cancelFit();
   fitted_ = false;
-  fitting_ =
-      jobs_.start(tr("Fit %1").arg(name_),
-                  [this, choice = choice_, scene = *scene_,
-                   path = sourceFiles_.empty() ? std::filesystem::path() : sourceFiles_.front()](
-                      const JobRunner::Handle& job) { fit(choice, scene, path, job); });
+  fitting_ = jobs_.start(tr("Fit %1").arg(name_),
+                         [this, choice = choice_, scene = *scene_](const JobRunner::Handle& job) {
+                           fit(choice, scene, job);
+                         });
   Q_EMIT fitChoiceChanged();
 }
 
@@ -170,24 +181,12 @@ void Document::cancelFit() {
   mapsTimer_.stop();
 }
 
-void Document::fit(const FitChoice& choice, Scene scene, const std::filesystem::path& path,
-                   const JobRunner::Handle& job) {
-  SceneFitObserver observer;
-  observer.begun = [this, post = job.post](const Scene& begun) {
-    post([this, begun] { show(begun); });
-  };
-  observer.changed = [this, post = job.post] {
-    post([this] {
-      if (!mapsTimer_.isActive()) mapsTimer_.start();
-    });
-  };
-  observer.view = [view = view_] { return view->get(); };
+void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle& job) {
   const JobContext context = contextOf(job).child(0.0, 1.0, "preparing");
-  const auto statistics = [&]() -> Result<FitStatistics> {
+  const auto fitted = [&]() -> Result<FittedSource> {
     CUTIS_TRY(model, engine_.model(choice.profile, {}));
     if (model != scene.model) {
-      CUTIS_TRY(source, changeProfile(*scene.source, path, model, engine_, store_,
-                                      context.child(0.0, 0.1)));
+      CUTIS_TRY(source, sourceForModel(*scene.source, *model));
       scene.model = model;
       scene.source = std::make_shared<const Source>(std::move(source));
     }
@@ -198,16 +197,37 @@ void Document::fit(const FitChoice& choice, Scene scene, const std::filesystem::
         return Cancelled{};
       }
     }
-    return fitScene(scene, choice, engine_, store_, context.child(0.1, 1.0), observer);
+    return fitSource(model, scene.source, {fitOptions(choice), true}, engine_, store_, context,
+                     observerOf(scene, job));
   }();
-  if (statistics.failed()) {
-    job.post([this, sentence = sentenceOf(statistics.error())] {
+  if (fitted.failed()) {
+    job.post([this, sentence = sentenceOf(fitted.error())] {
       backToLastFit();
       Q_EMIT failed(sentence);
     });
-  } else if (statistics) {
-    job.post([this, result = statistics.value()] { completeFit(result); });
+  } else if (fitted) {
+    job.post([this, statistics = fitted.value().statistics, remarks = fitted.value().remarks] {
+      completeFit(statistics, remarks);
+    });
   }
+}
+
+SourceFitObserver Document::observerOf(const Scene& scene, const JobRunner::Handle& job) {
+  SourceFitObserver observer;
+  observer.begun = [this, scene, post = job.post](const std::shared_ptr<const Source>& source,
+                                                  const ChromophoreMaps& maps) {
+    Scene begun = scene;
+    begun.source = source;
+    begun.maps = maps;
+    post([this, begun] { show(begun); });
+  };
+  observer.changed = [this, post = job.post] {
+    post([this] {
+      if (!mapsTimer_.isActive()) mapsTimer_.start();
+    });
+  };
+  observer.view = [view = view_] { return view->get(); };
+  return observer;
 }
 
 void Document::show(const Scene& fitted) {
@@ -217,13 +237,21 @@ void Document::show(const Scene& fitted) {
   Q_EMIT sceneReplaced();
 }
 
-void Document::completeFit(const FitStatistics& statistics) {
+void Document::completeFit(const FitStatistics& statistics, const std::vector<FitRemark>& remarks) {
   statistics_ = statistics;
   fitted_ = true;
   lastFit_ = {choice_, *scene_, statistics};
   mapsTimer_.stop();
   Q_EMIT mapsChanged();
   Q_EMIT fitted();
+  for (const FitRemark& remark : remarks) {
+    const QString sentence = tr("%1: %2").arg(name_, QString::fromStdString(remark.sentence));
+    if (remark.kind == FitRemark::Kind::nothingFitted) {
+      Q_EMIT failed(sentence);
+    } else {
+      Q_EMIT noticed(sentence);
+    }
+  }
 }
 
 void Document::backToLastFit() {
@@ -278,23 +306,23 @@ void Document::setEdits(bool moving) {
 std::optional<Document::PixelSpectra> Document::spectraAt(int x, int y) const {
   if (!scene_ || !scene_->maps.state.bounds().contains(x, y)) return std::nullopt;
   const Rect pixel = {x, y, x + 1, y + 1};
-  auto buffer = loadParameters(scene_->maps, pixel);
-  if (!buffer || !buffer.value().present.front()) return std::nullopt;
-  const auto parameters = [&] {
-    ParameterVector vector;
-    for (const Parameter k : kParameters) {
-      vector[k] = double{buffer.value().values[static_cast<std::size_t>(k)].front()};
-    }
-    return vector;
-  };
+  const auto original = loadParameters(scene_->maps, pixel);
+  const auto edited = loadEdited(*scene_, pixel);
+  if (!original || !edited || !original.value().present.front()) return std::nullopt;
   PixelSpectra spectra;
-  spectra.originalParameters = parameters();
-  spectra.original = scene_->model->reflectance(spectra.originalParameters);
-  if (!applyEdits(scene_->edits, scene_->model->profile().axes, pixel, 1, buffer.value())) {
-    return std::nullopt;
+  spectra.constants = constantsOf(scene_->model->profile());
+  for (const SkinConstant constant : kSkinConstants) {
+    const std::vector<float>& own = original.value().constants[constant];
+    if (!own.empty()) spectra.constants[constant] = double{own.front()};
   }
-  spectra.editedParameters = parameters();
-  spectra.edited = scene_->model->reflectance(spectra.editedParameters);
+  const auto reflectance = [&](const ParameterVector& parameters) {
+    return scene_->spectra ? scene_->spectra->reflectance(parameters, spectra.constants)
+                           : scene_->model->reflectance(parameters);
+  };
+  spectra.originalParameters = onlyPixelOf(original.value());
+  spectra.original = reflectance(spectra.originalParameters);
+  spectra.editedParameters = onlyPixelOf(edited.value());
+  spectra.edited = reflectance(spectra.editedParameters);
   return spectra;
 }
 

@@ -27,6 +27,7 @@
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
 #include "src/app/open/fit_choice.h"
+#include "src/app/open/source_fit.h"
 
 namespace cutis {
 
@@ -86,11 +87,12 @@ class Document : public QObject {
   void redo();
   const UndoHistory& history() const { return history_; }
 
-  // The spectra of a pixel, original and edited, computed exactly; nothing where there is no
-  // estimate. About 0.1 ms.
+  // The spectra of a pixel, original and edited, computed exactly, with the constants that were
+  // found for it (core/render/skin_spectra.h); nothing where there is no estimate. About 0.1 ms.
   struct PixelSpectra {
     ParameterVector originalParameters;
     ParameterVector editedParameters;
+    SkinConstants constants;  // of the pixel where they are free, else of the profile
     Spectrum original;
     Spectrum edited;
   };
@@ -113,22 +115,32 @@ class Document : public QObject {
   void noticed(const QString& sentence);
 
  private:
-  using Opener = std::function<Result<Source>(const std::shared_ptr<const SkinModel>& model,
-                                              const JobContext& context)>;
+  // What was read, on its way to being shown.
+  struct Opened {
+    Scene scene;
+    FitChoice choice;
+    QString name;
+    std::vector<std::filesystem::path> files;
+  };
+  using Opener = std::function<Result<Opened>(const JobContext& context)>;
+  using SourceReader =
+      std::function<Result<Source>(const SkinModel& model, const JobContext& context)>;
 
-  void startOpening(const QString& name, std::vector<std::filesystem::path> files, Opener open);
-  void openMaps(const std::filesystem::path& path);
-  void take(Scene scene, const FitChoice& choice, const QString& name,
-            std::vector<std::filesystem::path> files);
+  void startOpening(const QString& name, Opener open);
+  // On the thread of the job.
+  Result<Opened> openedSource(std::vector<std::filesystem::path> files, const FitChoice& choice,
+                              const SourceReader& read, const JobContext& context);
+  Result<Opened> openedMaps(const std::filesystem::path& path, const JobContext& context);
+  void take(const Opened& opened);
   // With notices for the user.
   JobContext contextOf(const JobRunner::Handle& job);
   void startFit();
   void cancelFit();
   // On the thread of the job.
-  void fit(const FitChoice& choice, Scene scene, const std::filesystem::path& path,
-           const JobRunner::Handle& job);
+  void fit(const FitChoice& choice, Scene scene, const JobRunner::Handle& job);
+  SourceFitObserver observerOf(const Scene& scene, const JobRunner::Handle& job);
   void show(const Scene& fitted);
-  void completeFit(const FitStatistics& statistics);
+  void completeFit(const FitStatistics& statistics, const std::vector<FitRemark>& remarks);
   void backToLastFit();
   void fitWithoutNetwork();
   void setEdits(bool moving);

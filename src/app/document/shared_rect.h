@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/document
 
 #include <mutex>
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/document
 
 // Undo by snapshots of a small state. Commands of one merge group that follow each other are one
 // step: a drag of a slider is undone at once.

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/skin/parameter_buffer.h"
 #include "src/app/open/photograph_part.h"
 
 namespace cutis {
@@ -19,8 +17,8 @@ constexpr int kBandRows = 32;
 
 // The reduced model a layer needs; null for those that need none.
 Result<std::shared_ptr<const ResponseModel>> modelOf(ViewKind layer, const Scene& scene,
-                                                     Engine& engine,
-                                                     const PictureRequest& picture) {
+                                                     Engine& engine, const PictureRequest& picture,
+                                                     const JobContext& context) {
   PictureRequest request;
   switch (layer) {
     case ViewKind::skin:
@@ -37,32 +35,19 @@ Result<std::shared_ptr<const ResponseModel>> modelOf(ViewKind layer, const Scene
     default:
       return std::shared_ptr<const ResponseModel>();
   }
-  return engine.picture(scene.model, request, "light");
-}
-
-Result<PictureBuffer> mapPart(const Scene& scene, Parameter parameter, const Rect& rect, int step) {
-  CUTIS_TRY(parameters, loadParameters(scene.maps, rect, step));
-  CUTIS_CHECK(applyEdits(scene.edits, scene.model->profile().axes, rect, step, parameters));
-  PictureBuffer part;
-  part.width = (rect.width() + step - 1) / step;
-  part.height = (rect.height() + step - 1) / step;
-  const std::span<const float> values = parameters.values[static_cast<std::size_t>(parameter)];
-  part.channels.emplace_back(values.begin(), values.end());
-  part.present = std::move(parameters.present);
-  return part;
+  CUTIS_TRY(wanted, pictureRows(request, {"light", "observer"}));
+  return engine.response(scene.model, wanted.rows, scene.free(), context);
 }
 
 Result<PictureBuffer> renderBand(const Scene& scene, const ResponseModel* model, ViewKind layer,
                                  const Rect& rect, int step) {
-  const ParameterAxes& axes = scene.model->profile().axes;
   if (const auto parameter = parameterOf(layer)) return mapPart(scene, *parameter, rect, step);
   if (layer == ViewKind::photograph) return photographPart(*scene.source, rect, step);
   if (layer == ViewKind::editedAlbedo) {
     CUTIS_TRY(photograph, photographPart(*scene.source, rect, step));
-    return editAlbedoPart(std::move(photograph), scene.maps, scene.edits, axes, *model, false, rect,
-                          step);
+    return editAlbedoPart(std::move(photograph), scene, *model, false, rect, step);
   }
-  return renderPart(scene.maps, scene.edits, axes, *model, rect, step);
+  return renderPart(scene, *model, rect, step);
 }
 
 // Bands of the same width, one below the other.
@@ -83,6 +68,8 @@ PictureBuffer joinBands(std::vector<PictureBuffer> bands) {
 }  // namespace
 
 std::optional<Parameter> parameterOf(ViewKind layer) {
+  static_assert(kParameterCount == 5,
+                "a sixth has its ViewKind here and its row in ui/view/view_catalogue.cpp");
   switch (layer) {
     case ViewKind::melanin:
       return kMelanin;
@@ -101,7 +88,7 @@ std::optional<Parameter> parameterOf(ViewKind layer) {
 
 Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureRequest& picture,
                             const ViewRequest& request, const JobContext& context) {
-  CUTIS_TRY(model, modelOf(request.layer, scene, engine, picture));
+  CUTIS_TRY(model, modelOf(request.layer, scene, engine, picture, context));
   ViewPart part;
   part.request = request;
   part.request.rect = intersection(request.rect, scene.maps.state.bounds());

@@ -1,13 +1,10 @@
 #include "src/app/document/view_server.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace cutis {
 namespace {
 
-// While a control is dragged only these are served: the picture itself, not its thumbnails.
-constexpr int kPictureItself = 0;
 constexpr int kCoarserWhileMoving = 2;
 
 bool showsMaps(ViewKind layer) {
@@ -17,7 +14,7 @@ bool showsMaps(ViewKind layer) {
 }  // namespace
 
 ViewWatch::~ViewWatch() {
-  server_.remove(this);
+  server_.watches_.erase(id_);
 }
 
 void ViewWatch::want(const ViewRequest& request) {
@@ -30,6 +27,12 @@ void ViewWatch::want(const ViewRequest& request) {
 ViewServer::ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent)
     : QObject(parent), document_(document), engine_(engine), jobs_(jobs) {
   connect(&document, &Document::opened, this, &ViewServer::forget);
+  // The part it was to make stays out of date until something changes; others may still succeed.
+  connect(&jobs, &JobRunner::failed, this, [this](JobId job) {
+    if (job != job_) return;
+    job_ = 0;
+    startNext();
+  });
   connect(&document, &Document::mapsChanged, this, [this] { invalidate(showsMaps); });
   connect(&document, &Document::sceneReplaced, this, [this] {
     // A part of the old scene must not be taken for one of the new.
@@ -48,9 +51,10 @@ ViewServer::ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObj
   });
 }
 
-std::unique_ptr<ViewWatch> ViewServer::watch(int priority, ViewWatch::Show show) {
-  std::unique_ptr<ViewWatch> watch(new ViewWatch(*this, priority, std::move(show)));
-  watches_.push_back(watch.get());
+std::unique_ptr<ViewWatch> ViewServer::watch(ViewPriority priority, ViewWatch::Show show) {
+  const std::uint64_t id = nextId_++;
+  std::unique_ptr<ViewWatch> watch(new ViewWatch(*this, id, priority, std::move(show)));
+  watches_.emplace(id, watch.get());
   return watch;
 }
 
@@ -65,7 +69,7 @@ bool ViewServer::isIdle() const {
 }
 
 void ViewServer::invalidate(const std::function<bool(ViewKind)>& concerns) {
-  for (ViewWatch* watch : watches_) {
+  for (const auto& [id, watch] : watches_) {
     if (concerns(watch->request_.layer) && !watch->request_.rect.empty()) watch->due_ = true;
   }
   startNext();
@@ -76,20 +80,16 @@ void ViewServer::forget() {
   jobs_.cancel(job_);
   job_ = 0;
   moving_ = false;
-  for (ViewWatch* watch : watches_) {
+  for (const auto& [id, watch] : watches_) {
     watch->request_ = {};
     watch->due_ = false;
   }
 }
 
-void ViewServer::remove(const ViewWatch* watch) {
-  std::erase(watches_, watch);
-}
-
 ViewWatch* ViewServer::mostUrgent() const {
   ViewWatch* urgent = nullptr;
-  for (ViewWatch* watch : watches_) {
-    if (!watch->due_ || (moving_ && watch->priority_ > kPictureItself)) continue;
+  for (const auto& [id, watch] : watches_) {
+    if (!watch->due_ || (moving_ && watch->priority_ != ViewPriority::detail)) continue;
     if (urgent == nullptr || watch->priority_ < urgent->priority_) urgent = watch;
   }
   return urgent;
@@ -98,15 +98,12 @@ ViewWatch* ViewServer::mostUrgent() const {
 void ViewServer::startNext() {
   if (job_ != 0 || !document_.isOpen()) return;
   ViewWatch* watch = mostUrgent();
-  if (watch == nullptr) {
-    Q_EMIT becameIdle();
-    return;
-  }
+  if (watch == nullptr) return;
   watch->due_ = false;
   jobIsCoarse_ = moving_;
   ViewRequest request = watch->request_;
   if (moving_) request.step *= kCoarserWhileMoving;
-  job_ = jobs_.startQuiet([this, watch, request, scene = document_.scene(),
+  job_ = jobs_.startQuiet([this, id = watch->id_, request, scene = document_.scene(),
                            picture = picture_](const JobRunner::Handle& job) {
     auto part = renderView(scene, engine_, picture, request, job.context);
     if (part.failed()) {
@@ -117,17 +114,18 @@ void ViewServer::startNext() {
       });
     } else if (part) {
       auto shared = std::make_shared<const ViewPart>(std::move(part).value());
-      job.post([this, watch, shared] { deliver(watch, shared); });
+      job.post([this, id, shared] { deliver(id, shared); });
     }
   });
 }
 
-void ViewServer::deliver(const ViewWatch* watch, const std::shared_ptr<const ViewPart>& part) {
+void ViewServer::deliver(std::uint64_t watch, const std::shared_ptr<const ViewPart>& part) {
   job_ = 0;
   // The watch may be gone, or want another layer by now.
-  const bool wanted = std::find(watches_.begin(), watches_.end(), watch) != watches_.end() &&
-                      watch->request_.layer == part->request.layer;
-  if (wanted) watch->show_(part);
+  const auto found = watches_.find(watch);
+  if (found != watches_.end() && found->second->request_.layer == part->request.layer) {
+    found->second->show_(part);
+  }
   startNext();
 }
 

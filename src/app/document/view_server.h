@@ -9,9 +9,10 @@
 //
 // Lives on the interface thread.
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
-#include <vector>
 
 #include <QObject>
 
@@ -24,6 +25,13 @@
 namespace cutis {
 
 class ViewServer;
+
+// What is served first: the earlier of these.
+enum class ViewPriority {
+  detail,     // what somebody looks at; alone served while a control is dragged
+  overview,   // what stands in for it while the view moves
+  thumbnail,  // what else there would be to see
+};
 
 // A wish to be shown something. Nothing is delivered after its destruction.
 class ViewWatch {
@@ -39,11 +47,12 @@ class ViewWatch {
 
  private:
   friend class ViewServer;
-  ViewWatch(ViewServer& server, int priority, Show show)
-      : server_(server), priority_(priority), show_(std::move(show)) {}
+  ViewWatch(ViewServer& server, std::uint64_t id, ViewPriority priority, Show show)
+      : server_(server), id_(id), priority_(priority), show_(std::move(show)) {}
 
   ViewServer& server_;
-  int priority_;
+  std::uint64_t id_;  // never given twice
+  ViewPriority priority_;
   Show show_;
   ViewRequest request_;
   bool due_ = false;  // the last part shown is not of this state, or none was
@@ -56,8 +65,8 @@ class ViewServer : public QObject {
   // All outlive the server.
   ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent = nullptr);
 
-  // Lower priorities are served first. The server outlives its watches.
-  std::unique_ptr<ViewWatch> watch(int priority, ViewWatch::Show show);
+  // Of one priority the oldest watch is served first. The server outlives its watches.
+  std::unique_ptr<ViewWatch> watch(ViewPriority priority, ViewWatch::Show show);
 
   // What the layer `skin` shows.
   void setPicture(const PictureRequest& picture);
@@ -68,7 +77,6 @@ class ViewServer : public QObject {
 
  Q_SIGNALS:
   void failed(const QString& sentence);
-  void becameIdle();
 
  private:
   friend class ViewWatch;
@@ -76,16 +84,16 @@ class ViewServer : public QObject {
   // Marks what `concerns` says as due.
   void invalidate(const std::function<bool(ViewKind)>& concerns);
   void forget();
-  void remove(const ViewWatch* watch);
   void startNext();
   ViewWatch* mostUrgent() const;
-  void deliver(const ViewWatch* watch, const std::shared_ptr<const ViewPart>& part);
+  void deliver(std::uint64_t watch, const std::shared_ptr<const ViewPart>& part);
 
   Document& document_;
   Engine& engine_;
   JobRunner& jobs_;
   PictureRequest picture_;
-  std::vector<ViewWatch*> watches_;
+  std::map<std::uint64_t, ViewWatch*> watches_;  // by id: a job may outlive the watch it works for
+  std::uint64_t nextId_ = 1;
   JobId job_ = 0;
   bool jobIsCoarse_ = false;
   bool moving_ = false;

@@ -56,18 +56,15 @@ void restoreUnchanged(const Channels& before, const Channels& after, const Chann
   }
 }
 
-class TextureEditor {
+class SourceEditor {
  public:
-  TextureEditor(const Source& source, const ChromophoreMaps& maps, const EditStack& edits,
-                const ParameterAxes& axes, const ResponseModel& albedo,
-                const EditedTextureOptions& options)
+  SourceEditor(const Source& source, const EditedSkin& skin, const ResponseModel& albedo,
+               const EditedSourceOptions& options)
       : source_(source),
-        maps_(maps),
-        edits_(edits),
-        axes_(axes),
+        skin_(skin),
         albedo_(albedo),
         pure_(options.pure),
-        exposure_(options.pure ? static_cast<float>(options.exposure) : 1.0f),
+        exposure_(options.pure ? static_cast<float>(source.measurements.exposure) : 1.0f),
         sameSpace_(source.image && source.colorSpace == options.colorSpace) {}
 
   Status prepare(const std::string& space) {
@@ -90,8 +87,7 @@ class TextureEditor {
     multiply(exposure_, linear);
     PictureBuffer part;
     part.channels = linear;
-    CUTIS_TRY(changed,
-              editAlbedoPart(std::move(part), maps_, edits_, axes_, albedo_, pure_, rect, 1));
+    CUTIS_TRY(changed, editAlbedoPart(std::move(part), skin_, albedo_, pure_, rect, 1));
     Channels result = changed.channels;
     multiply(1.0f / exposure_, result);
     CUTIS_CHECK(convert(fromLinear_, result));
@@ -117,9 +113,7 @@ class TextureEditor {
   }
 
   const Source& source_;
-  const ChromophoreMaps& maps_;
-  const EditStack& edits_;
-  const ParameterAxes& axes_;
+  const EditedSkin& skin_;
   const ResponseModel& albedo_;
   const bool pure_;
   const float exposure_;
@@ -150,20 +144,19 @@ ImageContent contentOf(const Source& source, const std::vector<Plane>& edited,
 
 }  // namespace
 
-Result<ImageContent> editedTexture(const Source& source, const ChromophoreMaps& maps,
-                                   const EditStack& edits, const ParameterAxes& axes,
-                                   const ResponseModel& albedo, const EditedTextureOptions& options,
-                                   const std::shared_ptr<TileStore>& store,
-                                   const JobContext& context) {
-  TextureEditor editor(source, maps, edits, axes, albedo, options);
+Result<ImageContent> editedSource(const Source& source, const EditedSkin& skin,
+                                  const ResponseModel& albedo, const EditedSourceOptions& options,
+                                  const std::shared_ptr<TileStore>& store,
+                                  const JobContext& context) {
+  SourceEditor editor(source, skin, albedo, options);
   CUTIS_CHECK(editor.prepare(options.colorSpace));
   std::vector<Plane> edited;
   for (int c = 0; c < 3; ++c) {
-    edited.emplace_back(maps.width(), maps.height(), PixelFormat::float32, store);
+    edited.emplace_back(skin.width(), skin.height(), PixelFormat::float32, store);
   }
-  CUTIS_CHECK(
-      parallelFor(static_cast<std::size_t>(maps.state.tileCount()), context, [&](std::size_t i) {
-        return editor.editTile(maps.state.tileRect(static_cast<int>(i)), edited);
+  CUTIS_CHECK(parallelFor(
+      static_cast<std::size_t>(skin.maps.state.tileCount()), context, [&](std::size_t i) {
+        return editor.editTile(skin.maps.state.tileRect(static_cast<int>(i)), edited);
       }));
   return contentOf(source, edited, options.colorSpace);
 }

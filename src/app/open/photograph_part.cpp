@@ -17,7 +17,7 @@ Result<PictureBuffer> photographPart(const Source& source, const Rect& rect, int
   part.present.assign(pixels, true);
 
   // Row by row, so that a coarse view of a large picture needs no more memory than it shows.
-  const Eigen::Matrix3f matrix = (source.toRec709 / source.exposure).cast<float>();
+  const Eigen::Matrix3f matrix = source.toRec709.cast<float>();
   std::array<std::vector<float>, 3> row;
   for (std::vector<float>& channel : row) {
     channel.resize(static_cast<std::size_t>(rect.width()));

@@ -10,7 +10,7 @@
 namespace cutis {
 
 // Every step-th pixel of every step-th row of rect: three channels, linear Rec.709, all present.
-// Without the source's exposure. Not finite values read as 0.
+// Without the exposure. Not finite values read as 0.
 Result<PictureBuffer> photographPart(const Source& source, const Rect& rect, int step);
 
 }  // namespace cutis

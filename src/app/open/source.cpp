@@ -1,18 +1,16 @@
 #include "src/app/open/source.h"
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <Eigen/LU>
 
-#include "core/base/parallel.h"
 #include "core/rig/surface_reflection.h"
 #include "core/simulate/photograph.h"
 #include "core/simulate/skin_patch.h"
 #include "core/spectra/colorimetry.h"
 #include "src/app/open/daylight_matrix.h"
-#include "src/app/open/photograph_part.h"
 #include "src/color/color_space.h"
 #include "src/files/recipe_file.h"
 #include "src/files/rig_file.h"
@@ -45,9 +43,12 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
                       "a single image is taken as albedo, without the reflection of the surface; "
                       "this is for captures");
   }
+  if (!std::isfinite(options.exposure) || !(options.exposure > 0.0)) {
+    return usageError("--exposure", "the exposure must be a positive number");
+  }
   CUTIS_TRY(rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, "--rig"));
-  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.exposure, options.mask},
-                               toLinearRec709, rig, store, context));
+  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask}, toLinearRec709, rig, store,
+                               context));
   Source source;
   source.name = titleOf(path);
   source.measurements = std::move(albedo.measurements);
@@ -57,7 +58,7 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
   }
   CUTIS_TRY(space, canonicalColorSpace(albedo.colorSpace, path.string()));
   source.colorSpace = space;
-  source.exposure = options.exposure;
+  source.measurements.exposure = options.exposure;
   source.metadata = albedo.source.metadata;
   source.references = {{path.filename().string(), albedo.source.contentHash}};
   source.image = std::move(albedo.source);
@@ -113,23 +114,12 @@ Result<Source> openSample(const SkinModel& model, const std::shared_ptr<TileStor
   return source;
 }
 
-Result<std::vector<Plane>> sourcePicture(const Source& source,
-                                         const std::shared_ptr<TileStore>& store,
-                                         const JobContext& context) {
-  const Plane& state = source.measurements.state;
-  std::vector<Plane> planes;
-  for (int c = 0; c < 3; ++c) {
-    planes.emplace_back(state.width(), state.height(), PixelFormat::float32, store);
-  }
-  CUTIS_CHECK(parallelFor(static_cast<std::size_t>(state.tileCount()), context,
-                          [&](std::size_t i) -> Status {
-                            const Rect rect = state.tileRect(static_cast<int>(i));
-                            CUTIS_TRY(part, photographPart(source, rect, 1));
-                            for (std::size_t c = 0; c < 3; ++c)
-                              CUTIS_CHECK(planes[c].store(rect, part.channels[c]));
-                            return {};
-                          }));
-  return planes;
+Result<Source> sourceForModel(const Source& source, const SkinModel& model) {
+  Source matched = source;
+  if (source.image) return matched;
+  CUTIS_TRY(matrix, daylightMatrix(source.measurements.rig, model));
+  matched.toRec709 = matrix;
+  return matched;
 }
 
 }  // namespace cutis

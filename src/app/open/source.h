@@ -27,19 +27,18 @@ struct SourceOptions {
   std::filesystem::path mask;       // empty: the capture's own, if any
   // Of an albedo texture:
   std::string colorSpace;  // empty: what the file says, see src/images/capture/albedo_file.h
-  double exposure = 1.0;   // multiplies the linear values
+  double exposure = 1.0;   // multiplies the linear values; positive
   // How the photographs of a capture see the skin: the surface's reflection is taken off them
   // (core/rig/surface_reflection.h). An albedo texture has none.
   MeasurementGeometry surface;
 };
 
 struct Source {
-  std::string name;  // of the file or folder, for titles
-  Measurements measurements;
+  std::string name;           // of the file or folder, for titles
+  Measurements measurements;  // with the exposure of an albedo texture
   // All channels of an albedo texture as they stand in the file; nothing for photographs.
   std::optional<Image> image;
   std::string colorSpace;       // of the image: canonical name
-  double exposure = 1.0;        // the measurements are the image times this
   MeasurementGeometry surface;  // that was taken off the photographs
   ImageMetadata metadata;
   std::vector<SourceReference> references;
@@ -58,10 +57,8 @@ Result<Source> openSource(const std::filesystem::path& path, const SourceOptions
 Result<Source> openSample(const SkinModel& model, const std::shared_ptr<TileStore>& store,
                           const JobContext& context);
 
-// Linear Rec.709 of the source under D65 as it was photographed, three planes; the exposure is not
-// part of it. Of an albedo texture these are its own pixels.
-Result<std::vector<Plane>> sourcePicture(const Source& source,
-                                         const std::shared_ptr<TileStore>& store,
-                                         const JobContext& context);
+// The source for skin of another model, to which the colours of a camera's photographs under
+// daylight are matched. No file is read; planes are shared.
+Result<Source> sourceForModel(const Source& source, const SkinModel& model);
 
 }  // namespace cutis

@@ -23,7 +23,7 @@ constexpr Index kJudgesPerPiece = 64;
 constexpr std::uint64_t kJudgeSeed = 2024;  // none that people to train on are drawn with
 constexpr std::uint64_t kNoiseSeed = 2025;
 
-JobContext silent(const JobContext& context) {
+JobContext withoutProgress(const JobContext& context) {
   return {context.stop, {}, context.notice};
 }
 
@@ -116,16 +116,17 @@ MatrixXf inputsOf(const NetworkChannels& taken, const Judges& judges, const Nois
 Result<NetworkErrors> measureNetworks(const SkinModel& model, const Rig& rig,
                                       const NetworkFile& file, const JobContext& context) {
   CUTIS_TRY(channels, matchNetwork(file.chromophores, model.profile(), rig, "the networks"));
-  CUTIS_TRY(judges, drawJudges(model, silent(context)));
+  CUTIS_TRY(judges, drawJudges(model, withoutProgress(context)));
   const SpectrumRows rows = visibleRows();
   const auto encoder = NetworkPipeline::encoder(file.chromophores);
   const auto decoder = NetworkPipeline::decoder(file.spectra, rows);
   CUTIS_TRY(both, NetworkPipeline::encoderDecoder(file.chromophores, file.spectra, rows));
   const MatrixXf clean = inputsOf(channels, judges, {0.0, 0.0});
   const MatrixXf noisy = inputsOf(channels, judges, rig.noise);
-  CUTIS_TRY(encoded, errorOfParameters(model, run(encoder, clean, true), judges, silent(context)));
+  CUTIS_TRY(encoded,
+            errorOfParameters(model, run(encoder, clean, true), judges, withoutProgress(context)));
   CUTIS_TRY(encodedNoisy,
-            errorOfParameters(model, run(encoder, noisy, true), judges, silent(context)));
+            errorOfParameters(model, run(encoder, noisy, true), judges, withoutProgress(context)));
   return NetworkErrors{errorOf(run(decoder, judges.parameters, false), judges), encoded,
                        errorOf(run(both, clean, false), judges), encodedNoisy,
                        errorOf(run(both, noisy, false), judges)};

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/content_hash.h"
-#include "src/files/io/csv.h"
+#include "core/base/number_text.h"
 #include "src/files/networks/network_parts.h"
 
 namespace cutis {
@@ -41,6 +41,18 @@ Result<NetworkFile> asRead(const NetworkFile& file) {
 }
 
 }  // namespace
+
+NetworkTraining usualTraining(const Rig& rig, const std::string& profile) {
+  NetworkTraining training;
+  training.chromophores.noise = rig.noise;
+  training.command = "train --rig " + rig.name + " --profile " + profile + " --lights ";
+  for (const RigLight& light : rig.lights) {
+    training.command += (&light == &rig.lights.front() ? "" : ",") + light.name;
+  }
+  training.command +=
+      " --noise " + formatNumber(rig.noise.read) + "," + formatNumber(rig.noise.proportional);
+  return training;
+}
 
 const char* networkName(NetworkKind kind) {
   return kind == NetworkKind::spectra ? "SpectraNN" : "ChromNN";

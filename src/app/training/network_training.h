@@ -27,6 +27,10 @@ struct NetworkTraining {
   std::string command;  // to be recorded
 };
 
+// As the command train does it without further options, with the rig's own noise. `profile`: the
+// name or path that the rig is to be fitted with, for the command that is recorded.
+NetworkTraining usualTraining(const Rig& rig, const std::string& profile);
+
 enum class NetworkKind { spectra, chromophores };
 // "SpectraNN" or "ChromNN".
 const char* networkName(NetworkKind kind);

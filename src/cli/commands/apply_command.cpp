@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
-#include "src/app/export/edited_source.h"
+#include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/fit_source.h"
 #include "src/cli/commands/maps_input.h"
-#include "src/cli/commands/picture_output.h"
 #include "src/cli/options/edit_options.h"
-#include "src/cli/output_check.h"
 #include "src/images/capture/capture_file.h"
+#include "src/images/image_formats.h"
 
 namespace cutis {
 namespace {
@@ -20,16 +19,8 @@ struct ApplyCommand {
   std::string maps;
   std::string colorSpace;
   bool pure = false;
-  EditArguments edit;
-  FitArguments fit;
-};
-
-// What is edited and with what.
-struct Subject {
-  Source source;
-  ChromophoreMaps maps;
-  std::shared_ptr<const SkinModel> model;
-  double exposure = 1.0;
+  EditOptions edit;
+  FitCommandOptions fit;
 };
 
 Status checkSources(const ApplyCommand& command) {
@@ -60,8 +51,8 @@ void compareSources(const Source& source, const MapsFile& maps, const ApplyComma
               " is now");
 }
 
-Result<Subject> openWithMaps(const ApplyCommand& command, const Session& session,
-                             const JobContext& context) {
+Result<EditedAlbedo> openWithMaps(const ApplyCommand& command, const Session& session,
+                                  const JobContext& context) {
   CUTIS_TRY(opened, openMaps(command.maps, command.fit.profile, session, context.child(0.0, 0.5)));
   const std::string& path = command.sources.front();
   SourceOptions options;
@@ -86,74 +77,42 @@ Result<Subject> openWithMaps(const ApplyCommand& command, const Session& session
                                         "; name the maps of this source");
   }
   compareSources(source, opened.file, command, context);
-  return Subject{std::move(source), maps, opened.model, opened.file.attributes.exposure};
+  source.measurements.exposure = opened.file.attributes.exposure;
+  return EditedAlbedo{{opened.model, maps, {}}, std::make_shared<const Source>(std::move(source))};
 }
 
-Result<Subject> openAndFit(const ApplyCommand& command, const FitRequest& request,
-                           const Session& session) {
-  CUTIS_TRY(fitted, fitSource(command.sources.front(), request, session, 0.6));
-  const double exposure = fitted.source.exposure;
-  return Subject{std::move(fitted.source), fitted.planes.maps, fitted.model, exposure};
+Result<EditedAlbedo> fitNow(const ApplyCommand& command, const FitRequest& request,
+                            const Session& session) {
+  CUTIS_TRY(result, openAndFit(command.sources.front(), request, session, 0.6));
+  const FittedSource& fitted = result.fitted;
+  return EditedAlbedo{{fitted.model, fitted.planes.maps, {}}, fitted.source};
 }
 
-struct OutputFormat {
-  SampleType type = SampleType::half;
-  std::string colorSpace;
-};
-
-// As the source unless the format cannot hold that, or another space is asked for.
-Result<OutputFormat> outputFormat(const ApplyCommand& command, const Source& source,
-                                  const JobContext& context) {
-  CUTIS_TRY(types, writableSampleTypes(command.output));
-  OutputFormat format = {types.front(), {}};
-  if (source.image) {
-    const SampleType own = source.image->sourceType;
-    if (std::find(types.begin(), types.end(), own) != types.end()) format.type = own;
-    if (isInteger(own) == isInteger(format.type)) format.colorSpace = source.colorSpace;
-  }
-  if (!command.colorSpace.empty() || format.colorSpace.empty()) {
-    CUTIS_TRY(space, outputSpace(command.colorSpace, format.type));
-    format.colorSpace = space;
-  }
-  if (source.image && source.image->sourceType != format.type) {
-    context.say(command.output + ": the source's samples are " +
-                sampleTypeName(source.image->sourceType) + ", this file's are " +
-                sampleTypeName(format.type) + " in " + format.colorSpace);
-  }
-  return format;
-}
-
-Status checkOutput(const ApplyCommand& command, const FitRequest& request) {
-  CUTIS_TRY(inputs, inputFiles(command.sources.front()));
-  for (const std::string& file : filesRead(request))
-    inputs.push_back(file);
-  inputs.push_back(command.maps);
-  inputs.push_back(command.edit.mask);
-  CUTIS_CHECK(imageOutputType(command.output, "", inputs));
-  CUTIS_CHECK(outputSpace(command.colorSpace, SampleType::half));
-  return {};
+ExportTarget appliedTargetOf(const ApplyCommand& command, const FitRequest& request) {
+  ExportTarget target = {.path = command.output,
+                         .colorSpace = command.colorSpace,
+                         .inputs = filesRead(request),
+                         .sources = {command.sources.front()}};
+  target.inputs.push_back(command.maps);
+  target.inputs.push_back(command.edit.mask);
+  return target;
 }
 
 Status runApplyCommand(const ApplyCommand& command, Session& session) {
   CUTIS_CHECK(checkSources(command));
   CUTIS_TRY(edit, parseEdit(command.edit));
-  CUTIS_TRY(request, parseFitArguments(command.fit));
-  CUTIS_CHECK(checkOutput(command, request));
+  CUTIS_TRY(request, parseFitOptions(command.fit));
+  const ExportTarget target = appliedTargetOf(command, request);
+  CUTIS_CHECK(checkPictureTarget(target));
   const JobContext& context = session.context;
-  CUTIS_TRY(subject, command.maps.empty()
-                         ? openAndFit(command, request, session)
-                         : openWithMaps(command, session, context.child(0.0, 0.6, "reading")));
-  CUTIS_TRY(format, outputFormat(command, subject.source, context));
-  CUTIS_CHECK(loadEditMask(command.edit, subject.maps.width(), subject.maps.height(),
+  CUTIS_TRY(albedo, command.maps.empty()
+                        ? fitNow(command, request, session)
+                        : openWithMaps(command, session, context.child(0.0, 0.6, "reading")));
+  CUTIS_CHECK(loadEditMask(command.edit, albedo.skin.width(), albedo.skin.height(),
                            command.sources.front(), session.store, context.child(0.6, 0.62), edit));
-  CUTIS_TRY(albedo,
-            session.engine.picture(subject.model, PictureRequest(), "apply", subject.maps.free(),
-                                   context.child(0.62, 0.65, "preparing")));
-  CUTIS_TRY(content,
-            editedTexture(subject.source, subject.maps, {edit}, subject.model->profile().axes,
-                          *albedo, {format.colorSpace, command.pure, subject.exposure},
-                          session.store, context.child(0.65, 0.8, "editing")));
-  return writeImage(command.output, content, format.type, context.child(0.8, 1.0, "writing"));
+  albedo.skin.edits = {edit};
+  albedo.pure = command.pure;
+  return exportTo(target, albedo, session.engine, session.store, context.child(0.62, 1.0));
 }
 
 }  // namespace
@@ -168,7 +127,7 @@ void addApplyCommand(CLI::App& app, Invocation& invocation) {
   command.add_option("SOURCE", options->sources, "Image, or folder or capture.json of a capture")
       ->required()
       ->type_name("");
-  command.add_option("-o,--output", options->output, "Image to write: .exr, .tif, .png or .jpg")
+  command.add_option("-o,--output", options->output, "Image to write: " + writtenExtensions())
       ->required()
       ->type_name("IMAGE");
   command
@@ -183,7 +142,7 @@ void addApplyCommand(CLI::App& app, Invocation& invocation) {
                   "floats, sRGB in integers)")
       ->type_name("NAME");
   addEditOptions(command, options->edit);
-  addFitArguments(command, options->fit);
+  addFitOptions(command, options->fit);
 }
 
 }  // namespace cutis

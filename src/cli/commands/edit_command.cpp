@@ -1,10 +1,11 @@
 // edit: maps to maps.
 
 #include "core/render/render_picture.h"
+#include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/edit_options.h"
-#include "src/cli/output_check.h"
 
 namespace cutis {
 namespace {
@@ -13,7 +14,7 @@ struct EditCommand {
   std::string maps;
   std::string output;
   std::string profile;
-  EditArguments edit;
+  EditOptions edit;
 };
 
 // What was said of the original values does not hold for edited ones.
@@ -28,7 +29,10 @@ void dropEstimates(MapsFile& file, const JobContext& context) {
 
 Status runEditCommand(const EditCommand& command, Session& session) {
   CUTIS_TRY(edit, parseEdit(command.edit));
-  CUTIS_CHECK(checkMapsOutput(command.output, {command.maps, command.edit.mask, command.profile}));
+  const ExportTarget target = {.path = command.output,
+                               .inputs = {command.edit.mask, command.profile},
+                               .sources = {command.maps}};
+  CUTIS_CHECK(checkMapsTarget(target));
   const JobContext& context = session.context;
   CUTIS_TRY(opened,
             openMaps(command.maps, command.profile, session, context.child(0.0, 0.4, "reading")));
@@ -36,12 +40,12 @@ Status runEditCommand(const EditCommand& command, Session& session) {
   CUTIS_CHECK(loadEditMask(command.edit, file.maps.width(), file.maps.height(), command.maps,
                            session.store, context.child(0.4, 0.45), edit));
   if (!edit.isNeutral()) {
-    CUTIS_TRY(edited, editMaps(file.maps, {edit}, opened.model->profile().axes, session.store,
+    CUTIS_TRY(edited, editMaps({opened.model, file.maps, {edit}}, session.store,
                                context.child(0.45, 0.6, "editing")));
     file.maps = std::move(edited);
     dropEstimates(file, context);
   }
-  return writeMaps(command.output, file, context.child(0.6, 1.0, "writing"));
+  return exportTo(target, file, session.engine, session.store, context.child(0.6, 1.0));
 }
 
 }  // namespace
@@ -50,12 +54,10 @@ void addEditCommand(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<EditCommand>();
   CLI::App& command = addCommand(app, invocation, "edit", "Change maps and write them as new maps",
                                  options, runEditCommand);
-  command.add_option("MAPS", options->maps, "Maps to edit, as written by fit")
-      ->required()
-      ->type_name("");
-  command.add_option("-o,--output", options->output, "Maps to write, an OpenEXR file (.exr)")
-      ->required()
-      ->type_name("MAPS");
+  addOption(command, "MAPS", options->maps, "", "Maps to edit, as written by fit")->required();
+  addOption(command, "-o,--output", options->output, "MAPS",
+            "Maps to write, an OpenEXR file (.exr)")
+      ->required();
   addMapsProfileOption(command, options->profile);
   addEditOptions(command, options->edit);
 }

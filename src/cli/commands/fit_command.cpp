@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/fit_report.h"
 #include "src/cli/commands/fit_source.h"
@@ -17,17 +18,21 @@ struct FitCommand {
   std::string mask;
   std::string colorSpace;
   bool deviations = false;
-  FitArguments fit;
+  FitCommandOptions fit;
 };
 
-Status checkOutputs(const FitCommand& command, const FitRequest& request) {
-  CUTIS_TRY(inputs, inputFiles(command.sources.front()));
-  for (const std::string& file : filesRead(request))
-    inputs.push_back(file);
-  CUTIS_CHECK(checkMapsOutput(command.output, inputs));
+ExportTarget targetOf(const FitCommand& command, const FitRequest& request) {
+  return {
+      .path = command.output, .inputs = filesRead(request), .sources = {command.sources.front()}};
+}
+
+Status checkFitOutputs(const FitCommand& command, const ExportTarget& target) {
+  CUTIS_CHECK(checkMapsTarget(target));
   if (command.report.empty()) return {};
   CUTIS_CHECK(checkDistinct(command.report, command.output));
-  return checkTextOutput(command.report, inputs);
+  CUTIS_TRY(sourceFiles, inputFiles(command.sources.front()));
+  CUTIS_CHECK(checkNotInput(command.report, sourceFiles));
+  return checkTextOutput(command.report, target.inputs);
 }
 
 Result<FitRequest> requestOf(const FitCommand& command) {
@@ -35,7 +40,7 @@ Result<FitRequest> requestOf(const FitCommand& command) {
     return usageError(command.sources[1],
                       "several images are not in this version; fit one at a time");
   }
-  CUTIS_TRY(request, parseFitArguments(command.fit));
+  CUTIS_TRY(request, parseFitOptions(command.fit));
   request.source.mask = command.mask;
   request.source.colorSpace = command.colorSpace;
   if (command.deviations && request.options.method != FitMethod::refined) {
@@ -48,15 +53,17 @@ Result<FitRequest> requestOf(const FitCommand& command) {
 
 Status runFitCommand(const FitCommand& command, Session& session) {
   CUTIS_TRY(request, requestOf(command));
-  CUTIS_CHECK(checkOutputs(command, request));
-  CUTIS_TRY(fitted, fitSource(command.sources.front(), request, session, 0.9));
-  CUTIS_TRY(file, mapsFileOf(fitted, request));
+  const ExportTarget target = targetOf(command, request);
+  CUTIS_CHECK(checkFitOutputs(command, target));
+  CUTIS_TRY(result, openAndFit(command.sources.front(), request, session, 0.9));
+  FittedSource& fitted = result.fitted;
   const auto start = std::chrono::steady_clock::now();
-  CUTIS_CHECK(writeMaps(command.output, file, session.context.child(0.9, 1.0, "writing")));
+  CUTIS_CHECK(exportTo(target, mapsFileOf(fitted, result.profileJson), session.engine,
+                       session.store, session.context.child(0.9, 1.0)));
   fitted.seconds.write =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (command.report.empty()) return {};
-  return writeFitReport(command.report, fitted, request.methodName);
+  return writeFitReport(command.report, fitted);
 }
 
 }  // namespace
@@ -73,7 +80,7 @@ void addFitCommand(CLI::App& app, Invocation& invocation) {
   command.add_option("-o,--output", options->output, "Maps to write, an OpenEXR file (.exr)")
       ->required()
       ->type_name("MAPS");
-  addFitArguments(command, options->fit);
+  addFitOptions(command, options->fit);
   command
       .add_option("--mask", options->mask,
                   "Image of the source's size: 0 leaves a pixel out, anything else includes it "

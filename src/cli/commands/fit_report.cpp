@@ -8,6 +8,7 @@
 
 #include "core/base/instruction_set.h"
 #include "core/base/parallel.h"
+#include "src/app/fit_method.h"
 #include "src/files/io/atomic_write.h"
 #include "src/files/io/platform.h"
 
@@ -36,7 +37,7 @@ Json gamutFigures(const FittedSource& fitted) {
   const auto& pixels = fitted.statistics.pixels;
   const auto estimated = static_cast<double>(pixels.solved + pixels.duplicate);
   Json gamut = {{"outside", std::llround(fitted.gamut.outsideShare * estimated)},
-                {"exposure", fitted.source.exposure}};
+                {"exposure", fitted.source->measurements.exposure}};
   if (fitted.gamut.medianDeltaE) gamut["median_delta_e2000"] = *fitted.gamut.medianDeltaE;
   return gamut;
 }
@@ -55,15 +56,14 @@ Json freeFigures(const std::vector<ConstantSummary>& constants) {
 
 }  // namespace
 
-Status writeFitReport(const std::filesystem::path& path, const FittedSource& fitted,
-                      const std::string& methodName) {
+Status writeFitReport(const std::filesystem::path& path, const FittedSource& fitted) {
   const FitStatistics& statistics = fitted.statistics;
   const FitSeconds& seconds = fitted.seconds;
   Json root;
-  root["method"] = methodName;
+  root["method"] = fitMethodName(fitted.method);
   root["profile"] = fitted.model->profile().name;
-  root["width"] = fitted.source.measurements.width();
-  root["height"] = fitted.source.measurements.height();
+  root["width"] = fitted.source->measurements.width();
+  root["height"] = fitted.source->measurements.height();
   root["pixels"] = pixelCounts(statistics.pixels);
   root["iterations"] = {{"mean", statistics.meanIterations}, {"max", statistics.maximumIterations}};
   root["nodes"] = fitted.nodes;
@@ -74,8 +74,9 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
                      {"write", seconds.write}};
   root["residual"] = {{"mean", statistics.meanResidual}, {"p95", statistics.residual95}};
   root["gamut"] = gamutFigures(fitted);
-  if (fitted.source.surface.specularShare > 0.0)
-    root["specular_share"] = fitted.source.surface.specularShare;
+  if (fitted.outsideDiffusion) root["outside_diffusion_share"] = *fitted.outsideDiffusion;
+  if (fitted.source->surface.specularShare > 0.0)
+    root["specular_share"] = fitted.source->surface.specularShare;
   if (!fitted.constants.empty()) root["free"] = freeFigures(fitted.constants);
   root["threads"] = threadsUsed();
   root["isa"] = instructionSetName();

@@ -1,47 +1,23 @@
-#pragma once
+#pragma once  // internal to src/cli/commands
 
-// From a path to fitted maps, as `fit` and `apply` need them.
+// From a path and options to fitted maps, as `fit` and `apply` need them.
 
-#include <memory>
 #include <string>
-#include <vector>
 
-#include "core/analyse/constants_summary.h"
-#include "core/analyse/gamut.h"
 #include "core/base/result.h"
-#include "core/fit/fit_run.h"
-#include "src/app/open/source.h"
+#include "src/app/open/source_fit.h"
 #include "src/cli/command.h"
 #include "src/cli/options/fit_options.h"
-#include "src/images/maps/maps_file.h"
 
 namespace cutis {
 
-struct FitSeconds {
-  double load = 0.0;     // reading the source
-  double prepare = 0.0;  // nodes, tables, exposure
-  double fit = 0.0;
-  double write = 0.0;
+struct FittedPath {
+  FittedSource fitted;
+  std::string profileJson;  // the text of the profile
 };
 
-struct FittedSource {
-  std::shared_ptr<const SkinModel> model;
-  Source source;
-  FitPlanes planes;
-  FitStatistics statistics;
-  GamutStatistics gamut;
-  std::vector<ConstantSummary> constants;  // one for each that is free
-  int nodes = 0;
-  double nodeRms = 0.0;    // error of a channel summed at the nodes …
-  double nodeWorst = 0.0;  // … and the worst of those looked at
-  FitSeconds seconds;
-};
-
-// Reports to the first `share` of the session's progress.
-Result<FittedSource> fitSource(const std::string& path, const FitRequest& request,
-                               const Session& session, double share);
-
-// The file that a fit writes; planes are shared.
-Result<MapsFile> mapsFileOf(const FittedSource& fitted, const FitRequest& request);
+// Notes what there is to say about the fit. Reports to the first `share` of the session's progress.
+Result<FittedPath> openAndFit(const std::string& path, const FitRequest& request,
+                              const Session& session, double share);
 
 }  // namespace cutis

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands
 
 // Maps as the commands read them: with the model they were made with.
 

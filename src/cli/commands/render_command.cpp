@@ -1,12 +1,11 @@
 // render: maps to a picture of the skin under a light, or of a band.
 
-#include "core/render/render_picture.h"
+#include <optional>
+
+#include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
-#include "src/cli/commands/picture_output.h"
-#include "src/cli/output_check.h"
-#include "src/files/spectral_library.h"
-#include "src/images/image_file.h"
+#include "src/images/image_formats.h"
 
 namespace cutis {
 namespace {
@@ -47,54 +46,49 @@ Result<PictureRequest> bandRequest(const RenderCommand& command) {
   return request;
 }
 
-struct Picture {
-  PictureRequest request;
-  bool isColor = true;  // of an observer, in a colour space
-};
-
-Result<Picture> pictureOf(const RenderCommand& command) {
+// Reads the light and the observer.
+Result<PictureRows> pictureOf(const RenderCommand& command) {
   if (!command.band.empty()) {
-    CUTIS_TRY(request, bandRequest(command));
-    return Picture{request, false};
+    CUTIS_TRY(band, bandRequest(command));
+    return pictureRows(band, {});
   }
-  Picture picture;
-  if (!command.light.empty()) picture.request.light = command.light;
-  if (!command.observer.empty()) picture.request.observer = command.observer;
+  PictureRequest request;
+  if (!command.light.empty()) request.light = command.light;
+  if (!command.observer.empty()) request.observer = command.observer;
   CUTIS_TRY(adaptation, adaptationNamed(command.adaptation));
-  picture.request.adaptation = adaptation;
-  CUTIS_CHECK(loadLight({picture.request.light, {}, "--light"}));
-  CUTIS_TRY(eyes, loadCamera({picture.request.observer, {}, "--observer"}));
-  picture.isColor = eyes.isObserver;
-  if (eyes.isObserver) return picture;
+  request.adaptation = adaptation;
+  CUTIS_TRY(picture, pictureRows(request, {"--light", "--observer"}));
+  if (picture.isColor) return picture;
   constexpr char reason[] = "a camera's own channels are in no colour space; leave this out";
   CUTIS_CHECK(refuse("--colorspace", command.colorSpace, reason));
   CUTIS_CHECK(refuse("--adapt", command.adaptation, reason));
   return picture;
 }
 
+Result<std::optional<SampleType>> sampleTypeOf(const std::string& bitDepth) {
+  if (bitDepth.empty()) return std::optional<SampleType>();
+  if (bitDepth == "half") return std::optional(SampleType::half);
+  if (bitDepth == "float") return std::optional(SampleType::float32);
+  if (bitDepth == "8") return std::optional(SampleType::uint8);
+  if (bitDepth == "16") return std::optional(SampleType::uint16);
+  return usageError("--bit-depth", "'" + bitDepth + "' is unknown; choose half, float, 8 or 16");
+}
+
 Status runRenderCommand(const RenderCommand& command, Session& session) {
   CUTIS_TRY(picture, pictureOf(command));
-  CUTIS_TRY(type,
-            imageOutputType(command.output, command.bitDepth,
-                            {command.maps, command.profile, command.light, command.observer}));
-  CUTIS_TRY(space, outputSpace(command.colorSpace, type));
+  ExportTarget target = {.path = command.output,
+                         .colorSpace = command.colorSpace,
+                         .inputs = {command.profile, command.light, command.observer},
+                         .sources = {command.maps}};
+  CUTIS_TRY(type, sampleTypeOf(command.bitDepth));
+  target.sampleType = type;
+  CUTIS_CHECK(checkPictureTarget(target));
   const JobContext& context = session.context;
   CUTIS_TRY(opened,
             openMaps(command.maps, command.profile, session, context.child(0.0, 0.35, "reading")));
-  const std::string place = picture.request.band ? "--band" : "--light";
-  CUTIS_TRY(response,
-            session.engine.picture(opened.model, picture.request, place, opened.file.maps.free(),
-                                   context.child(0.35, 0.4, "preparing")));
-  CUTIS_TRY(linear, renderPicture(opened.file.maps, {}, opened.model->profile().axes, *response,
-                                  session.store, context.child(0.4, 0.6, "rendering")));
-  CUTIS_TRY(encoded, encodePicture(linear, space, session.store, context.child(0.6, 0.7)));
-  ImageContent content;
-  content.channelNames =
-      encoded.size() == 1 ? std::vector<std::string>{"Y"} : std::vector<std::string>{"R", "G", "B"};
-  content.channels = encoded;
-  content.colorSpace = picture.isColor ? space : "";
-  content.metadata = opened.file.metadata;
-  return writeImage(command.output, content, type, context.child(0.7, 1.0, "writing"));
+  const SkinPicture what = {
+      {opened.model, opened.file.maps, {}}, std::move(picture), opened.file.metadata};
+  return exportTo(target, what, session.engine, session.store, context.child(0.35, 1.0));
 }
 
 }  // namespace
@@ -110,7 +104,7 @@ void addRenderCommand(CLI::App& app, Invocation& invocation) {
     command.add_option(name, value, text)->type_name(type);
   };
   command.add_option("MAPS", options->maps, "Maps to render")->required()->type_name("");
-  command.add_option("-o,--output", options->output, "Image to write: .exr, .tif, .png or .jpg")
+  command.add_option("-o,--output", options->output, "Image to write: " + writtenExtensions())
       ->required()
       ->type_name("IMAGE");
   option("--light", options->light, "NAME|FILE",

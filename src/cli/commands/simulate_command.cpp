@@ -1,10 +1,11 @@
 // simulate: photographs of known skin.
 
-#include "core/base/parallel.h"
 #include "core/simulate/photograph.h"
+#include "core/simulate/skin_mask.h"
 #include "core/simulate/skin_patch.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/cli/output_check.h"
 #include "src/files/profiles/profile_file.h"
@@ -85,21 +86,6 @@ Result<Subject> mapsOf(const SimulateCommand& command, Session& session) {
   return subject;
 }
 
-Result<Plane> maskOf(const Measurements& measurements, const JobContext& context) {
-  const Plane& state = measurements.state;
-  Plane mask(state.width(), state.height(), PixelFormat::half);
-  CUTIS_CHECK(parallelFor(static_cast<std::size_t>(state.tileCount()), context,
-                          [&](std::size_t i) -> Status {
-                            const Rect rect = state.tileRect(static_cast<int>(i));
-                            std::vector<float> values(rect.pixelCount());
-                            CUTIS_CHECK(state.load(rect, values));
-                            for (float& value : values)
-                              value = value == 0.0f ? 1.0f : 0.0f;
-                            return mask.store(rect, values);
-                          }));
-  return mask;
-}
-
 Result<double> noiseOf(const SimulateCommand& command, const Rig& rig) {
   if (command.noise.empty()) return rig.noise.proportional;
   return realNumber("--noise", command.noise, 0.0, kMostNoise);
@@ -121,7 +107,7 @@ Status runSimulateCommand(const SimulateCommand& command, Session& session) {
   CaptureWriteOptions options;
   options.rig = command.rig.empty() ? kDefaultRig : command.rig;
   options.sampleType = noise < kLeastNoiseInHalf ? SampleType::float32 : SampleType::half;
-  CUTIS_TRY(mask, maskOf(photographs, context.child(0.6, 0.62)));
+  CUTIS_TRY(mask, skinMask(photographs, context.child(0.6, 0.62)));
   options.mask = mask;
   options.metadata = subject.metadata;
   const JobContext writing = context.child(0.62, 1.0, "writing");
@@ -139,28 +125,25 @@ void addSimulateCommand(CLI::App& app, Invocation& invocation) {
   CLI::App& command = addCommand(app, invocation, "simulate",
                                  "Photographs of known skin through a rig, as a capture", options,
                                  runSimulateCommand);
-  const auto option = [&](const char* name, std::string& value, const char* type,
-                          const char* text) {
-    command.add_option(name, value, text)->type_name(type);
-  };
-  command.add_option("MAPS", options->maps, "Maps of the skin to photograph")->type_name("");
-  option("--patch", options->patch, "WxH",
-         "Instead of maps a procedural patch of this many pixels, up to 8192 a side; its true maps "
-         "are written as maps.exr beside the photographs");
-  option("--recipe", options->recipe, "NAME|FILE",
-         "What the patch looks like: sample or a JSON file (default: sample)");
-  option("--rig", options->rig, "NAME|FILE",
-         "Camera and lights: a built-in name or a JSON file (default: monitor)");
-  option("--noise", options->noise, "PROP",
-         "Proportional standard deviation of a channel, from 0 to 1 (default: the rig's, 0.005 for "
-         "the built-in ones); below 0.002 the files are float, else half");
-  option("--seed", options->seed, "N",
-         "Another number gives other noise and another patch (default: 1, or the recipe's)");
-  option("--profile", options->profile, "NAME|FILE",
-         "Skin model: a built-in name or a JSON file (default: skin2026; maps carry their own)");
-  command.add_option("-o,--output", options->output, "Folder of the capture to write")
-      ->required()
-      ->type_name("FOLDER");
+  addOption(command, "MAPS", options->maps, "", "Maps of the skin to photograph");
+  addOption(
+      command, "--patch", options->patch, "WxH",
+      "Instead of maps a procedural patch of this many pixels, up to 8192 a side; its true maps "
+      "are written as maps.exr beside the photographs");
+  addOption(command, "--recipe", options->recipe, "NAME|FILE",
+            "What the patch looks like: sample or a JSON file (default: sample)");
+  addOption(command, "--rig", options->rig, "NAME|FILE",
+            "Camera and lights: a built-in name or a JSON file (default: monitor)");
+  addOption(
+      command, "--noise", options->noise, "PROP",
+      "Proportional standard deviation of a channel, from 0 to 1 (default: the rig's, 0.005 for "
+      "the built-in ones); below 0.002 the files are float, else half");
+  addOption(command, "--seed", options->seed, "N",
+            "Another number gives other noise and another patch (default: 1, or the recipe's)");
+  addOption(command, "--profile", options->profile, "NAME|FILE",
+            "Skin model: a built-in name or a JSON file (default: skin2026; maps carry their own)");
+  addOption(command, "-o,--output", options->output, "FOLDER", "Folder of the capture to write")
+      ->required();
 }
 
 }  // namespace cutis

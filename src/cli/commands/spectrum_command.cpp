@@ -1,14 +1,16 @@
 // spectrum: parameters to reflectance spectra.
 
-#include <cstdio>
 #include <fstream>
 
+#include "src/app/spectrum_rows.h"
 #include "src/cli/command.h"
-#include "src/cli/commands/spectrum_rows.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/measurement_options.h"
 #include "src/cli/output_check.h"
+#include "src/cli/standard_output.h"
 #include "src/files/io/atomic_write.h"
 #include "src/files/io/csv.h"
+#include "src/files/parameter_sets.h"
 #include "src/files/profiles/profile_file.h"
 
 namespace cutis {
@@ -19,7 +21,7 @@ struct SpectrumCommand {
   std::string csv;
   std::string output;
   std::string profile = kDefaultProfile;
-  MeasurementArguments measurement;
+  MeasurementOptions measurement;
 };
 
 Result<std::vector<ParameterVector>> setsOf(const SpectrumCommand& command,
@@ -32,10 +34,7 @@ Result<std::vector<ParameterVector>> setsOf(const SpectrumCommand& command,
 }
 
 Status writeToStandardOutput(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
-    return {};
-  }
-  return resourceError("standard output", "it cannot be written to; use -o");
+  return printText(text, "it cannot be written to; use -o");
 }
 
 Status runSpectrumCommand(const SpectrumCommand& command, Session& session) {
@@ -73,22 +72,14 @@ void addSpectrumCommand(CLI::App& app, Invocation& invocation) {
       app, invocation, "spectrum",
       "Reflectance spectra of skin, 300 to 1000 nm in steps of 2 nm, as comma-separated values",
       options, runSpectrumCommand);
-  command
-      .add_option("--params", options->parameters,
-                  "One set: melanin, melanin blend, dermal and epidermal haemoglobin (volume "
-                  "fractions), carotene (g/L)")
-      ->type_name("M,B,HD,HE,C");
-  command
-      .add_option("--csv", options->csv,
-                  "File with the header melanin,melanin_blend,haemoglobin_dermal,"
-                  "haemoglobin_epidermal,carotene and one set per row")
-      ->type_name("FILE");
-  command.add_option("-o,--output", options->output, "File to write (default: standard output)")
-      ->type_name("FILE");
-  command
-      .add_option("--profile", options->profile,
-                  "Skin model: a built-in name or a JSON file (default: skin2026)")
-      ->type_name("NAME|FILE");
+  addOption(command, "--params", options->parameters, "M,B,HD,HE,C",
+            "One set: melanin, melanin blend, dermal and epidermal haemoglobin (volume "
+            "fractions), carotene (g/L)");
+  addOption(command, "--csv", options->csv, "FILE",
+            "File with the header " + parameterNames(",") + " and one set per row");
+  addOption(command, "-o,--output", options->output, "FILE",
+            "File to write (default: standard output)");
+  addProfileOption(command, options->profile, kDefaultProfile);
   addMeasurementOptions(command, options->measurement);
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/images/capture/mask_file.h"
 
@@ -18,23 +19,26 @@ Status parseScale(const char* option, const std::string& text, ParameterEdit& ed
   return {};
 }
 
-Status parseScales(const EditArguments& arguments, Edit& edit) {
+static_assert(kParameterCount == 5,
+              "a sixth has a field in EditOptions, and its option here and in addEditOptions()");
+
+Status parseScales(const EditOptions& options, Edit& edit) {
   auto& parameters = edit.parameters;
-  CUTIS_CHECK(parseScale("--melanin", arguments.melanin, parameters[kMelanin]));
-  CUTIS_CHECK(parseScale("--melanin-blend", arguments.melaninBlend, parameters[kMelaninBlend]));
-  CUTIS_CHECK(parseScale("--carotene", arguments.carotene, parameters[kCarotene]));
+  CUTIS_CHECK(parseScale("--melanin", options.melanin, parameters[kMelanin]));
+  CUTIS_CHECK(parseScale("--melanin-blend", options.melaninBlend, parameters[kMelaninBlend]));
+  CUTIS_CHECK(parseScale("--carotene", options.carotene, parameters[kCarotene]));
   for (const Parameter blood : {kHaemoglobinDermal, kHaemoglobinEpidermal}) {
-    CUTIS_CHECK(parseScale("--haemoglobin", arguments.haemoglobin, parameters[blood]));
+    CUTIS_CHECK(parseScale("--haemoglobin", options.haemoglobin, parameters[blood]));
   }
-  CUTIS_CHECK(parseScale("--haemoglobin-dermal", arguments.haemoglobinDermal,
+  CUTIS_CHECK(parseScale("--haemoglobin-dermal", options.haemoglobinDermal,
                          parameters[kHaemoglobinDermal]));
-  return parseScale("--haemoglobin-epidermal", arguments.haemoglobinEpidermal,
+  return parseScale("--haemoglobin-epidermal", options.haemoglobinEpidermal,
                     parameters[kHaemoglobinEpidermal]);
 }
 
-Status parseAdditions(const EditArguments& arguments, Edit& edit) {
+Status parseAdditions(const EditOptions& options, Edit& edit) {
   std::array<bool, kParameterCount> given = {};
-  for (const std::string& text : arguments.add) {
+  for (const std::string& text : options.add) {
     CUTIS_TRY(addition, assignment("--add", text));
     if (std::exchange(given[addition.parameter], true)) {
       return usageError("--add", std::string(parameterName(addition.parameter)) +
@@ -45,8 +49,8 @@ Status parseAdditions(const EditArguments& arguments, Edit& edit) {
   return {};
 }
 
-Status parseSettings(const EditArguments& arguments, Edit& edit) {
-  for (const std::string& text : arguments.set) {
+Status parseSettings(const EditOptions& options, Edit& edit) {
+  for (const std::string& text : options.set) {
     CUTIS_TRY(setting, assignment("--set", text));
     ParameterEdit& parameter = edit.parameters[setting.parameter];
     const std::string name(parameterName(setting.parameter));
@@ -61,56 +65,49 @@ Status parseSettings(const EditArguments& arguments, Edit& edit) {
 
 }  // namespace
 
-void addEditOptions(CLI::App& command, EditArguments& arguments) {
+void addEditOptions(CLI::App& command, EditOptions& options) {
   const auto factor = [&](const char* name, std::string& value, const char* text) {
-    command.add_option(name, value, text)->type_name("S")->group("Edit");
+    addOption(command, name, value, "S", text)->group("Edit");
   };
-  factor("--melanin", arguments.melanin, "Multiply the melanin by S (1 changes nothing)");
-  factor("--melanin-blend", arguments.melaninBlend, "Multiply the share of eumelanin by S");
-  factor("--carotene", arguments.carotene, "Multiply the carotene by S");
-  factor("--haemoglobin-dermal", arguments.haemoglobinDermal,
+  factor("--melanin", options.melanin, "Multiply the melanin by S (1 changes nothing)");
+  factor("--melanin-blend", options.melaninBlend, "Multiply the share of eumelanin by S");
+  factor("--carotene", options.carotene, "Multiply the carotene by S");
+  factor("--haemoglobin-dermal", options.haemoglobinDermal,
          "Scale the blood of the dermis by S, the more of it the more");
-  factor("--haemoglobin-epidermal", arguments.haemoglobinEpidermal,
+  factor("--haemoglobin-epidermal", options.haemoglobinEpidermal,
          "Scale the blood of the epidermis by S, the more of it the more");
-  CLI::Option* both = command.add_option("--haemoglobin", arguments.haemoglobin,
-                                         "Scale the blood of both layers by S");
-  both->type_name("S")->group("Edit");
+  factor("--haemoglobin", options.haemoglobin, "Scale the blood of both layers by S");
   const auto assigned = [&](const char* name, std::vector<std::string>& values, const char* text) {
-    command.add_option(name, values, text)
-        ->type_name("NAME=V")
-        ->group("Edit")
-        ->allow_extra_args(false);
+    addOption(command, name, values, "NAME=V", text)->group("Edit")->allow_extra_args(false);
   };
-  assigned("--add", arguments.add,
+  assigned("--add", options.add,
            "Add V to a parameter, in its unit: melanin, haemoglobin_dermal and "
            "haemoglobin_epidermal are volume fractions, melanin_blend is a share from 0 to 1, "
            "carotene is in g/L; may be repeated");
-  assigned("--set", arguments.set, "Set a parameter to V, in its unit; may be repeated");
-  command
-      .add_option("--mask", arguments.mask,
-                  "Image of the maps' size: 0 keeps the original, 1 edits, between blends "
-                  "(default: edit everywhere)")
-      ->type_name("FILE")
+  assigned("--set", options.set, "Set a parameter to V, in its unit; may be repeated");
+  addOption(command, "--mask", options.mask, "FILE",
+            "Image of the maps' size: 0 keeps the original, 1 edits, between blends "
+            "(default: edit everywhere)")
       ->group("Edit");
 }
 
-Result<Edit> parseEdit(const EditArguments& arguments) {
-  if (!arguments.haemoglobin.empty() &&
-      !(arguments.haemoglobinDermal.empty() && arguments.haemoglobinEpidermal.empty())) {
+Result<Edit> parseEdit(const EditOptions& options) {
+  if (!options.haemoglobin.empty() &&
+      !(options.haemoglobinDermal.empty() && options.haemoglobinEpidermal.empty())) {
     return usageError("--haemoglobin", "this sets both layers; give either it or the layers");
   }
   Edit edit;
-  CUTIS_CHECK(parseScales(arguments, edit));
-  CUTIS_CHECK(parseAdditions(arguments, edit));
-  CUTIS_CHECK(parseSettings(arguments, edit));
+  CUTIS_CHECK(parseScales(options, edit));
+  CUTIS_CHECK(parseAdditions(options, edit));
+  CUTIS_CHECK(parseSettings(options, edit));
   return edit;
 }
 
-Status loadEditMask(const EditArguments& arguments, int width, int height,
-                    const std::string& subject, const std::shared_ptr<TileStore>& store,
-                    const JobContext& context, Edit& edit) {
-  if (arguments.mask.empty()) return {};
-  CUTIS_TRY(mask, readMask(arguments.mask, width, height, "'" + subject + "'", store, context));
+Status loadEditMask(const EditOptions& options, int width, int height, const std::string& subject,
+                    const std::shared_ptr<TileStore>& store, const JobContext& context,
+                    Edit& edit) {
+  if (options.mask.empty()) return {};
+  CUTIS_TRY(mask, readMask(options.mask, width, height, "'" + subject + "'", store, context));
   edit.mask = mask;
   return {};
 }

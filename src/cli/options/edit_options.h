@@ -15,7 +15,7 @@
 namespace cutis {
 
 // As they were given; empty: not given.
-struct EditArguments {
+struct EditOptions {
   std::string melanin;
   std::string melaninBlend;
   std::string carotene;
@@ -27,14 +27,13 @@ struct EditArguments {
   std::string mask;
 };
 
-void addEditOptions(CLI::App& command, EditArguments& arguments);
+void addEditOptions(CLI::App& command, EditOptions& options);
 
 // The parameters of the edit; its mask is still empty.
-Result<Edit> parseEdit(const EditArguments& arguments);
+Result<Edit> parseEdit(const EditOptions& options);
 
 // Reads the mask, if one is named, for maps of this size; `subject` names the maps in errors.
-Status loadEditMask(const EditArguments& arguments, int width, int height,
-                    const std::string& subject, const std::shared_ptr<TileStore>& store,
-                    const JobContext& context, Edit& edit);
+Status loadEditMask(const EditOptions& options, int width, int height, const std::string& subject,
+                    const std::shared_ptr<TileStore>& store, const JobContext& context, Edit& edit);
 
 }  // namespace cutis

@@ -18,7 +18,7 @@
 namespace cutis {
 
 // As they were given; empty: not given.
-struct FitArguments {
+struct FitCommandOptions {
   std::string method;
   std::string profile;
   std::string rig;
@@ -30,15 +30,15 @@ struct FitArguments {
   bool shading = false;
   std::string free;
   std::string weights;
-  MeasurementArguments measurement;
+  MeasurementOptions measurement;
 };
 
-void addFitArguments(CLI::App& command, FitArguments& arguments);
+void addFitOptions(CLI::App& command, FitCommandOptions& options);
 
 // The first option that was given, "--rig"; empty if none was.
-std::string firstGiven(const FitArguments& arguments);
+std::string firstGiven(const FitCommandOptions& options);
 
-// What can be said of the arguments before the profile is known.
+// What can be said of the options before the profile is known.
 struct FitRequest {
   std::string profile;
   std::string methodName;
@@ -50,7 +50,7 @@ struct FitRequest {
   std::vector<Assignment> fixed;
   std::string weightsFile;
 };
-Result<FitRequest> parseFitArguments(const FitArguments& arguments);
+Result<FitRequest> parseFitOptions(const FitCommandOptions& options);
 
 // Adds the prior and the fixed parameters, both checked against the profile, and the network.
 Status completeFitOptions(const FitRequest& request, const Profile& profile, FitOptions& options);

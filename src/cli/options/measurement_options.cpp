@@ -1,7 +1,8 @@
 #include "src/cli/options/measurement_options.h"
 
+#include "core/base/number_text.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
-#include "src/files/io/csv.h"
 
 namespace cutis {
 namespace {
@@ -19,43 +20,36 @@ Result<SpecularPart> specularPart(const std::string& word) {
 
 }  // namespace
 
-void addSpecularOptions(CLI::App& command, const std::string& what,
-                        MeasurementArguments& arguments) {
-  command
-      .add_option("--specular", arguments.specular,
-                  "Whether the " + what +
-                      " contain the surface reflection: included, excluded or cross-polarised, "
-                      "which keeps it out (default: excluded)")
-      ->type_name("WORD");
-  command
-      .add_option("--specular-share", arguments.share,
-                  "With --specular included: the surface reflection, as far as it is measured "
-                  "(default: 0.04)")
-      ->type_name("S");
+void addSpecularOptions(CLI::App& command, const std::string& what, MeasurementOptions& options) {
+  addOption(command, "--specular", options.specular, "WORD",
+            "Whether the " + what +
+                " contain the surface reflection: included, excluded or cross-polarised, "
+                "which keeps it out (default: excluded)");
+  addOption(command, "--specular-share", options.share, "S",
+            "With --specular included: the surface reflection, as far as it is measured "
+            "(default: 0.04)");
 }
 
-void addMeasurementOptions(CLI::App& command, MeasurementArguments& arguments) {
-  addSpecularOptions(command, "spectra", arguments);
-  command
-      .add_option("--aperture-radius", arguments.apertureRadius,
-                  "Radius in mm of the spot that is lit and seen, where it is so small that light "
-                  "is lost sideways (default: none is lost)")
-      ->type_name("MM");
+void addMeasurementOptions(CLI::App& command, MeasurementOptions& options) {
+  addSpecularOptions(command, "spectra", options);
+  addOption(command, "--aperture-radius", options.apertureRadius, "MM",
+            "Radius in mm of the spot that is lit and seen, where it is so small that light "
+            "is lost sideways (default: none is lost)");
 }
 
-Result<MeasurementSetting> parseMeasurement(const MeasurementArguments& arguments) {
+Result<MeasurementSetting> parseMeasurement(const MeasurementOptions& options) {
   MeasurementSetting setting;
-  CUTIS_TRY(specular, specularPart(arguments.specular));
+  CUTIS_TRY(specular, specularPart(options.specular));
   setting.specular = specular;
-  if (!arguments.share.empty()) {
+  if (!options.share.empty()) {
     if (specular != SpecularPart::included) {
       return usageError("--specular-share", "this goes with --specular included");
     }
-    CUTIS_TRY(share, realNumber("--specular-share", arguments.share, 0.0, kMostShare));
+    CUTIS_TRY(share, realNumber("--specular-share", options.share, 0.0, kMostShare));
     setting.share = share;
   }
-  if (!arguments.apertureRadius.empty()) {
-    CUTIS_TRY(radius, realNumber("--aperture-radius", arguments.apertureRadius, kLeastRadiusMm,
+  if (!options.apertureRadius.empty()) {
+    CUTIS_TRY(radius, realNumber("--aperture-radius", options.apertureRadius, kLeastRadiusMm,
                                  kMostRadiusMm));
     setting.edgeLossPerMm = edgeLossOfAperture(radius);
   }

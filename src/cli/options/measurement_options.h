@@ -13,25 +13,24 @@
 namespace cutis {
 
 // As they were given; empty: not given.
-struct MeasurementArguments {
+struct MeasurementOptions {
   std::string specular;
   std::string share;
   std::string apertureRadius;
 };
 
 // --specular and --specular-share; what: "spectra", "photographs".
-void addSpecularOptions(CLI::App& command, const std::string& what,
-                        MeasurementArguments& arguments);
+void addSpecularOptions(CLI::App& command, const std::string& what, MeasurementOptions& options);
 // All that spectra need.
-void addMeasurementOptions(CLI::App& command, MeasurementArguments& arguments);
+void addMeasurementOptions(CLI::App& command, MeasurementOptions& options);
 
-// What the arguments say, whatever the skin.
+// What the options say, whatever the skin.
 struct MeasurementSetting {
   SpecularPart specular = SpecularPart::excluded;
   double share = kSkinSpecularShare;
   double edgeLossPerMm = 0.0;
 };
-Result<MeasurementSetting> parseMeasurement(const MeasurementArguments& arguments);
+Result<MeasurementSetting> parseMeasurement(const MeasurementOptions& options);
 
 // Without the specular part, spectra are compared with the model's own reflectance, as the paper
 // does; with it, light that is reflected at the surface is missing below.

@@ -3,7 +3,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "src/files/io/csv.h"
+#include "core/base/number_text.h"
+#include "core/skin/profile/parameter_names.h"
 #include "src/files/io/suggestion.h"
 
 namespace cutis {
@@ -111,11 +112,9 @@ Result<Assignment> assignment(const std::string& option, const std::string& text
   const std::string name = trimmed(text.substr(0, equals));
   const auto parameter = parameterByName(name);
   if (!parameter) {
-    std::vector<std::string> known;
-    for (const Parameter p : kParameters)
-      known.emplace_back(parameterName(p));
-    return usageError(option,
-                      "unknown parameter " + quoted(name) + "; " + suggestName(name, known));
+    const auto names = parameterNames();
+    return usageError(option, "unknown parameter " + quoted(name) + "; " +
+                                  suggestName(name, {names.begin(), names.end()}));
   }
   const auto value = parseNumber(trimmed(text.substr(equals + 1)));
   if (!value || !std::isfinite(*value)) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/files/rig_file.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 constexpr int kMostSeed = 1'000'000'000;
 constexpr int kMostEpochs = 100'000;
-constexpr int kFewestPeople = 1'000;
-constexpr int kMostPeople = 10'000'000;
+constexpr int kFewestTrainingPeople = 1'000;
+constexpr int kMostTrainingPeople = 10'000'000;
 constexpr int kMostTableStep = 10'000;
 constexpr int kMostHiddenLayers = 8;
 constexpr int kSmallestBatch = 96;
@@ -99,7 +100,8 @@ Status setNetworks(const TrainOptions& options, NetworkTraining& training) {
 
 Status setPeople(const TrainOptions& options, NetworkTraining& training) {
   if (!options.people.empty()) {
-    CUTIS_TRY(people, wholeNumber("--people", options.people, kFewestPeople, kMostPeople));
+    CUTIS_TRY(people,
+              wholeNumber("--people", options.people, kFewestTrainingPeople, kMostTrainingPeople));
     setBoth(training, [&](auto& network) { network.people.count = people; });
   }
   if (!options.tableStep.empty()) {
@@ -148,84 +150,66 @@ Status setSeed(const std::string& text, NetworkTraining& training) {
 }
 
 void addNetworkOptions(CLI::App& command, TrainOptions& options) {
-  command
-      .add_option("--hidden", options.hidden,
-                  "Units of the hidden layers of both networks, with commas between them "
-                  "(default: 32,32,32 for SpectraNN and 32,32 for ChromNN)")
-      ->type_name("N,...");
-  command
-      .add_option("--activation", options.activation,
-                  "Of the hidden layers of both: relu, sigmoid or squareplus (default)")
-      ->type_name("NAME");
-  command
-      .add_option("--components", options.components,
-                  "Principal components of the spectra; auto (default): as few as leave a mean "
-                  "squared error of 1e-8")
-      ->type_name("N|auto");
-  command.add_option("--people", options.people, "People to train on (default: 300000)")
-      ->type_name("N");
-  command
-      .add_option("--table-step", options.tableStep,
-                  "Take the principal components from every so manieth entry of the table of "
-                  "skin, for quick trials (default: 1)")
-      ->type_name("N");
+  addOption(command, "--hidden", options.hidden, "N,...",
+            "Units of the hidden layers of both networks, with commas between them "
+            "(default: 32,32,32 for SpectraNN and 32,32 for ChromNN)");
+  addOption(command, "--activation", options.activation, "NAME",
+            "Of the hidden layers of both: relu, sigmoid or squareplus (default)");
+  addOption(command, "--components", options.components, "N|auto",
+            "Principal components of the spectra; auto (default): as few as leave a mean "
+            "squared error of 1e-8");
+  addOption(command, "--people", options.people, "N", "People to train on (default: 300000)");
+  addOption(command, "--table-step", options.tableStep, "N",
+            "Take the principal components from every so manieth entry of the table of "
+            "skin, for quick trials (default: 1)");
 }
 
 void addTrainerOptions(CLI::App& command, TrainOptions& options) {
-  command
-      .add_option("--epochs", options.epochs,
-                  "Times through all people (default: 50 for SpectraNN and 40 for ChromNN)")
-      ->type_name("N");
-  command
-      .add_option("--patience", options.patience,
-                  "Stop a network after so many epochs without a smaller error on people held "
-                  "out; 0 (default): never")
-      ->type_name("N");
-  command
-      .add_option("--rate", options.rate,
-                  "Largest learning rate, which rises at first and then falls as a cosine "
-                  "(default: 0.02)")
-      ->type_name("R");
-  command
-      .add_option("--weight-decay", options.weightDecay,
-                  "Share by which a weight shrinks per unit of rate (default: 0)")
-      ->type_name("D");
-  command.add_option("--batch", options.batch, "People of one step (default: 384)")->type_name("N");
-  command.add_option("--seed", options.seed, "Of the random numbers (default: 1)")->type_name("N");
+  addOption(command, "--epochs", options.epochs, "N",
+            "Times through all people (default: 50 for SpectraNN and 40 for ChromNN)");
+  addOption(command, "--patience", options.patience, "N",
+            "Stop a network after so many epochs without a smaller error on people held "
+            "out; 0 (default): never");
+  addOption(command, "--rate", options.rate, "R",
+            "Largest learning rate, which rises at first and then falls as a cosine "
+            "(default: 0.02)");
+  addOption(command, "--weight-decay", options.weightDecay, "D",
+            "Share by which a weight shrinks per unit of rate (default: 0)");
+  addOption(command, "--batch", options.batch, "N", "People of one step (default: 384)");
+  addOption(command, "--seed", options.seed, "N", "Of the random numbers (default: 1)");
 }
 
 }  // namespace
 
 void addTrainOptions(CLI::App& command, TrainOptions& options) {
-  command.add_option("--rig", options.rig, "Camera and lights: a built-in name or a JSON file")
-      ->required()
-      ->type_name("NAME|FILE");
-  command
-      .add_option("--profile", options.profile,
-                  std::string("Skin model: a built-in name or a JSON file (default: ") +
-                      kDefaultProfile + ")")
-      ->type_name("NAME|FILE");
-  command
-      .add_option("--lights", options.lights,
-                  "Lights of the rig to use, with commas between them (default: all)")
-      ->type_name("LIGHT,...");
-  command
-      .add_option("--channels", options.channels,
-                  "all channels of the lights (default), or paper: the five of Li et al. 2024, "
-                  "r, g, b, sb, sg")
-      ->type_name("all|paper");
-  command
-      .add_option("--noise", options.noise,
-                  "Standard deviations of a channel, constant and proportional, of the photographs "
-                  "to learn from (default: the rig's)")
-      ->type_name("READ,PROP");
-  command
-      .add_option("--preset", options.preset,
-                  "default, or paper: sizes, activations and rates of Li et al. 2024, without "
-                  "noise; the options below change single values of either")
-      ->type_name("default|paper");
+  addOption(command, "--rig", options.rig, "NAME|FILE",
+            "Camera and lights: a built-in name or a JSON file")
+      ->required();
+  addProfileOption(command, options.profile, kDefaultProfile);
+  addOption(command, "--lights", options.lights, "LIGHT,...",
+            "Lights of the rig to use, with commas between them (default: all)");
+  addOption(command, "--channels", options.channels, "all|paper",
+            "all channels of the lights (default), or paper: the five of Li et al. 2024, "
+            "r, g, b, sb, sg");
+  addOption(command, "--noise", options.noise, "READ,PROP",
+            "Standard deviations of a channel, constant and proportional, of the photographs "
+            "to learn from (default: the rig's)");
+  addOption(command, "--preset", options.preset, "default|paper",
+            "default, or paper: sizes, activations and rates of Li et al. 2024, without "
+            "noise; the options below change single values of either");
   addNetworkOptions(command, options);
   addTrainerOptions(command, options);
+}
+
+NetworkAdvice networkAdvice() {
+  return {"--method", "--weights", [](const Profile& profile, const Rig& rig) {
+            std::string lights;
+            for (const RigLight& light : rig.lights)
+              lights += (lights.empty() ? "" : ",") + light.name;
+            return "train one with cutis-cli train --rig " +
+                   (rig.file.empty() ? rig.name : rig.file) + " --lights " + lights +
+                   " --profile " + profile.name + " -o WEIGHTS.json and give it with --weights";
+          }};
 }
 
 Result<Rig> trainedRig(const TrainOptions& options) {

@@ -9,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/rig/rig.h"
+#include "src/app/engine.h"
 #include "src/app/training/network_training.h"
 #include "src/files/profiles/profile_file.h"
 
@@ -36,6 +37,10 @@ struct TrainOptions {
 };
 
 void addTrainOptions(CLI::App& command, TrainOptions& options);
+
+// What to do where a fit lacks a network: "train one with cutis-cli train --rig … and give it with
+// --weights".
+NetworkAdvice networkAdvice();
 
 // The rig with the lights asked for.
 Result<Rig> trainedRig(const TrainOptions& options);

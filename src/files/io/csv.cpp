@@ -1,8 +1,5 @@
 #include "src/files/io/csv.h"
 
-#include <charconv>
-#include <cmath>
-
 namespace cutis {
 namespace {
 
@@ -43,26 +40,6 @@ std::vector<CsvRow> splitCsv(std::string_view text) {
     rows.push_back({number, fieldsOf(line)});
   }
   return rows;
-}
-
-std::optional<double> parseNumber(std::string_view text) {
-  if (text.starts_with('+')) {
-    text.remove_prefix(1);
-    if (text.starts_with('-')) return std::nullopt;
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-std::string formatNumber(double value, int digits) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
-  char buffer[40];
-  const auto result =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits);
-  return {buffer, result.ptr};
 }
 
 }  // namespace cutis

@@ -163,7 +163,7 @@ Result<std::string> JsonValue::text(const std::string& key, const std::string& f
   return text(key);
 }
 
-Status JsonValue::allowOnly(std::initializer_list<std::string_view> keys) const {
+Status JsonValue::allowOnly(std::span<const std::string_view> keys) const {
   for (const auto& [key, value] : node_->items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     std::string known;

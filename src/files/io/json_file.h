@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,7 +46,10 @@ class JsonValue {
   Result<std::string> asText() const;
 
   // Fails if there is a field of another name: a misspelt option must not pass as absent.
-  Status allowOnly(std::initializer_list<std::string_view> keys) const;
+  Status allowOnly(std::initializer_list<std::string_view> keys) const {
+    return allowOnly(std::span(keys.begin(), keys.size()));
+  }
+  Status allowOnly(std::span<const std::string_view> keys) const;
 
   // "file: field.inner must be …"
   Error error(const std::string& demand) const;

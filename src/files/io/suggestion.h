@@ -1,5 +1,7 @@
 #pragma once
 
+// Help for a name that nobody knows: what it may have been meant to be.
+
 #include <string>
 #include <vector>
 

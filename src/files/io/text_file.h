@@ -1,5 +1,7 @@
 #pragma once
 
+// Text files of limited size, read whole.
+
 #include <cstddef>
 #include <filesystem>
 #include <string>

@@ -16,8 +16,8 @@
 namespace cutis {
 namespace {
 
-constexpr int kNewestVersion = 1;
-constexpr char kFolder[] = "networks";
+constexpr int kNewestNetwork = 1;
+constexpr char kNetworksFolder[] = "networks";
 constexpr char kSuffix[] = ".json";
 // The largest networks allowed have some 25 MB.
 constexpr std::size_t kMostBytes = std::size_t{32} << 20;
@@ -149,7 +149,7 @@ Result<std::vector<std::string>> parseInputs(const JsonValue& object) {
   return names;
 }
 
-Result<SpectraNetwork> parseSpectra(const JsonValue& object) {
+Result<SpectraNetwork> parseSpectraNetwork(const JsonValue& object) {
   SpectraNetwork network;
   CUTIS_TRY(profile, parseSignature(object, "profile"));
   CUTIS_TRY(axes, parseAxes(object));
@@ -165,7 +165,7 @@ Result<SpectraNetwork> parseSpectra(const JsonValue& object) {
   return network;
 }
 
-Result<ChromophoreNetwork> parseChromophores(const JsonValue& object) {
+Result<ChromophoreNetwork> parseChromophoreNetwork(const JsonValue& object) {
   ChromophoreNetwork network;
   CUTIS_TRY(profile, parseSignature(object, "profile"));
   CUTIS_TRY(inputs, parseInputs(object));
@@ -192,12 +192,12 @@ Status parseBoth(const JsonValue& root, NetworkFile& file) {
   CUTIS_TRY(spectra, root.object("spectra_nn"));
   CUTIS_CHECK(spectra.allowOnly({"trained", "profile", "axes", "mean", "components", "layers"}));
   CUTIS_CHECK(parseSpectraOptions(spectra, file.spectraOptions));
-  CUTIS_TRY(spectraNetwork, parseSpectra(spectra));
+  CUTIS_TRY(spectraNetwork, parseSpectraNetwork(spectra));
   CUTIS_TRY(chromophores, root.object("chrom_nn"));
   CUTIS_CHECK(
       chromophores.allowOnly({"trained", "profile", "inputs", "channels", "axes", "layers"}));
   CUTIS_CHECK(parseChromophoreOptions(chromophores, file.chromophoreOptions));
-  CUTIS_TRY(chromophoreNetwork, parseChromophores(chromophores));
+  CUTIS_TRY(chromophoreNetwork, parseChromophoreNetwork(chromophores));
   file.spectra = std::move(spectraNetwork);
   file.chromophores = std::move(chromophoreNetwork);
   if (alike(file.spectra.profile, file.chromophores.profile) &&
@@ -212,7 +212,7 @@ Status parseBoth(const JsonValue& root, NetworkFile& file) {
 
 Result<NetworkFile> parseNetworks(std::string_view text, const std::string& place) {
   CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_network", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_network", kNewestNetwork));
   CUTIS_CHECK(
       root.allowOnly({"cutis_network", "rig", "profile", "command", "spectra_nn", "chrom_nn"}));
   NetworkFile file;
@@ -232,11 +232,11 @@ Result<NetworkFile> readNetworks(const std::string& path) {
 }
 
 std::vector<std::string> builtInNetworkNames() {
-  return resourceStems(kFolder, kSuffix);
+  return resourceStems(kNetworksFolder, kSuffix);
 }
 
 Result<NetworkFile> builtInNetworks(const std::string& name) {
-  const auto text = resource(std::string(kFolder) + "/" + name + kSuffix);
+  const auto text = resource(std::string(kNetworksFolder) + "/" + name + kSuffix);
   if (!text) return inputError(name, "no networks of this name are built in");
   return parseNetworks(*text, "built-in networks " + name);
 }

@@ -25,7 +25,7 @@ std::string shortest(float value) {
   return text == "-0" ? "-0.0" : text;
 }
 
-std::int64_t seedOf(std::uint64_t seed) {
+std::int64_t signedSeed(std::uint64_t seed) {
   assert(seed <= std::uint64_t{std::numeric_limits<std::int32_t>::max()});
   return static_cast<std::int64_t>(seed);
 }
@@ -39,7 +39,7 @@ Json trainedJson(const Options& options) {
           {"people",
            {{"count", options.people.count},
             {"face_share", options.people.faceShare},
-            {"seed", seedOf(options.people.seed)}}},
+            {"seed", signedSeed(options.people.seed)}}},
           {"trainer",
            {{"rate", trainer.rate},
             {"weight_decay", trainer.weightDecay},
@@ -48,7 +48,7 @@ Json trainedJson(const Options& options) {
             {"batch", trainer.batch},
             {"held_out_share", trainer.heldOutShare},
             {"patience", trainer.patience},
-            {"seed", seedOf(trainer.seed)}}}};
+            {"seed", signedSeed(trainer.seed)}}}};
 }
 
 Result<DenseLayer> parseLayer(const JsonValue& object) {

@@ -12,9 +12,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestTraining = 1;
 // The largest networks allowed have some 100 MB here.
-constexpr std::size_t kMostBytes = std::size_t{128} << 20;
+constexpr std::size_t kMostTrainingBytes = std::size_t{128} << 20;
 constexpr int kMostEpochs = 100'000;
 // Whole numbers up to here are exact in double precision.
 constexpr double kMostSteps = 9e15;
@@ -99,7 +99,7 @@ Status writeTraining(const std::filesystem::path& path, const TrainingFile& file
 
 Result<TrainingFile> parseTraining(std::string_view text, const std::string& place) {
   CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_training", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_training", kNewestTraining));
   CUTIS_CHECK(root.allowOnly({"cutis_training", "command", "identity", "spectra_nn", "chrom_nn"}));
   TrainingFile file;
   CUTIS_TRY(command, root.text("command"));
@@ -117,7 +117,7 @@ Result<TrainingFile> parseTraining(std::string_view text, const std::string& pla
 }
 
 Result<TrainingFile> readTraining(const std::filesystem::path& path) {
-  CUTIS_TRY(text, readTextFile(path, kMostBytes));
+  CUTIS_TRY(text, readTextFile(path, kMostTrainingBytes));
   return parseTraining(text, path.string());
 }
 

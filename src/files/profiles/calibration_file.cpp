@@ -14,7 +14,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestCalibration = 1;
 constexpr char kFolder[] = "calibrations";
 constexpr char kSpecularShare[] = "specular_share";
 constexpr std::array<std::pair<const char*, SpecularPart>, 3> kSpecularParts = {
@@ -132,7 +132,7 @@ Result<std::string> startText(const std::string& start, const std::string& place
 Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& place,
                                       bool isBuiltIn) {
   CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_calibration", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_calibration", kNewestCalibration));
   CUTIS_CHECK(root.allowOnly({"cutis_calibration", "name", "description", "start", "step_nm",
                               "pull", "spectra", "prior", "constants"}));
   CalibrationRecipe recipe;

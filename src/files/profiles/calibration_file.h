@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/files/profiles
 
 // calibration.json: how a profile is calibrated on measured spectra.
 //

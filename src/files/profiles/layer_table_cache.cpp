@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr char kMagic[] = "CUTIS LAYERS 1\n";
-constexpr std::size_t kDigestLength = 32;
+constexpr char kLayerMagic[] = "CUTIS LAYERS 1\n";
+constexpr std::size_t kLayerDigestLength = 32;
 
 using Polynomial = LayerPolynomial<double>;
 static_assert(std::is_trivially_copyable_v<Polynomial>);
@@ -29,31 +29,32 @@ std::vector<int> wholeGrid() {
   return samples;
 }
 
-std::string checksum(std::span<const Polynomial> polynomials) {
+std::string polynomialChecksum(std::span<const Polynomial> polynomials) {
   return ContentHash().add(std::as_bytes(polynomials)).digest();
 }
 
 // Nothing if the file is not exactly what was written for this key.
-std::optional<LayerTable> read(const fs::path& path, const std::string& key) {
+std::optional<LayerTable> readLayerTable(const fs::path& path, const std::string& key) {
   std::ifstream stream(path, std::ios::binary);
-  std::string header(sizeof kMagic - 1 + 2 * kDigestLength, '\0');
+  std::string header(sizeof kLayerMagic - 1 + 2 * kLayerDigestLength, '\0');
   if (!stream.read(header.data(), static_cast<std::streamsize>(header.size()))) return {};
-  if (!header.starts_with(kMagic + key)) return {};
+  if (!header.starts_with(kLayerMagic + key)) return {};
   std::vector<Polynomial> polynomials(kSampleCount);
   const auto bytes = static_cast<std::streamsize>(polynomials.size() * sizeof(Polynomial));
   if (!stream.read(reinterpret_cast<char*>(polynomials.data()), bytes)) return {};
   if (stream.peek() != std::ifstream::traits_type::eof()) return {};
-  if (checksum(polynomials) != header.substr(header.size() - kDigestLength)) return {};
+  if (polynomialChecksum(polynomials) != header.substr(header.size() - kLayerDigestLength))
+    return {};
   return LayerTable::restore(wholeGrid(), polynomials);
 }
 
-Status write(const fs::path& path, const std::string& key, const LayerTable& table) {
+Status writeLayerTable(const fs::path& path, const std::string& key, const LayerTable& table) {
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);
   return writeAtomically(path, [&](const fs::path& temporary) -> Status {
     std::ofstream stream(temporary, std::ios::binary);
     const std::span<const Polynomial> polynomials = table.polynomials();
-    stream << kMagic << key << checksum(polynomials);
+    stream << kLayerMagic << key << polynomialChecksum(polynomials);
     stream.write(reinterpret_cast<const char*>(polynomials.data()),
                  static_cast<std::streamsize>(polynomials.size_bytes()));
     stream.close();
@@ -73,12 +74,13 @@ Result<std::shared_ptr<const LayerTable>> cachedLayerTable(const Profile& profil
   const fs::path path = folder / ("layers-" + key + ".bin");
   std::error_code ignored;
   if (usable && fs::exists(path, ignored)) {
-    if (auto table = read(path, key)) return std::make_shared<const LayerTable>(std::move(*table));
+    if (auto table = readLayerTable(path, key))
+      return std::make_shared<const LayerTable>(std::move(*table));
     context.say("the cached table " + path.string() +
                 " is damaged or from another version; it is built again");
   }
   CUTIS_TRY(made, LayerTable::makeWhole(profile, {}, context));
-  if (usable) static_cast<void>(write(path, key, made));
+  if (usable) static_cast<void>(writeLayerTable(path, key, made));
   return std::make_shared<const LayerTable>(std::move(made));
 }
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/skin/profile/parameter_names.h"
+
 namespace cutis {
 namespace {
 
@@ -39,8 +41,7 @@ Status parsePart(const JsonValue& prior, const std::string& key, const Names& op
   const bool allOptional = std::find(optional.begin(), optional.end(), false) == optional.end();
   if (allOptional && !prior.has(key)) return {};
   CUTIS_TRY(part, prior.object(key));
-  CUTIS_CHECK(part.allowOnly(
-      {"melanin", "melanin_blend", "haemoglobin_dermal", "haemoglobin_epidermal", "carotene"}));
+  CUTIS_CHECK(part.allowOnly(parameterNames()));
   for (const Parameter parameter : kParameters) {
     const std::string name(parameterName(parameter));
     if (optional[static_cast<std::size_t>(parameter)] && !part.has(name)) continue;
@@ -121,8 +122,8 @@ Result<Prior> parseOver(const JsonValue& object, const Prior* base) {
   const bool continues = base != nullptr && base->scale == scale;
   Prior prior = continues ? *base : Prior();
   prior.scale = scale;
-  prior.staysLinear = linear;
-  prior.staysLinear[kMelaninBlend] = true;
+  for (std::size_t k = 0; k < linear.size(); ++k)
+    prior.staysLinear[k] = linear[k] || alwaysLinear()[k];
   Names optional = kNone;
   if (continues) {
     CUTIS_TRY(named, namedParameters(object, linear));

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/skin/profile/parameter.h"
+#include "core/skin/profile/prior.h"
 
 namespace cutis {
 namespace {
@@ -30,7 +30,8 @@ Json jsonOf(const Prior& prior) {
   for (const Parameter parameter : kParameters) {
     const std::string name(parameterName(parameter));
     const auto k = static_cast<Eigen::Index>(parameter);
-    if (log && parameter != kMelaninBlend && !prior.isLog(static_cast<int>(k))) {
+    const bool mayBeLog = !alwaysLinear()[static_cast<std::size_t>(parameter)];
+    if (log && mayBeLog && !prior.isLog(static_cast<int>(k))) {
       linear.push_back(name);
     }
     mean[name] = prior.mean[k];

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/files/profiles
 
 // Changes to the text of a profile.json that leave the rest of it as it is, order included.
 

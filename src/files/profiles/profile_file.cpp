@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/skin/profile/parameter_names.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -15,7 +16,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kNewestVersion = 1;
+constexpr int kNewestProfile = 1;
 constexpr std::array<std::string_view, 3> kSpacings = {"uniform", "quadratic", "cubic"};
 
 Result<PowerLaw> parsePowerLaw(const JsonValue& parent, const std::string& key) {
@@ -48,8 +49,7 @@ Result<ParameterAxis> parseAxis(const JsonValue& parent, const std::string& key)
 
 Status parseParameters(const JsonValue& root, Profile& profile) {
   CUTIS_TRY(parameters, root.object("parameters"));
-  CUTIS_CHECK(parameters.allowOnly(
-      {"melanin", "melanin_blend", "haemoglobin_dermal", "haemoglobin_epidermal", "carotene"}));
+  CUTIS_CHECK(parameters.allowOnly(parameterNames()));
   for (const Parameter parameter : kParameters) {
     CUTIS_TRY(axis, parseAxis(parameters, std::string(parameterName(parameter))));
     profile.axes[static_cast<std::size_t>(parameter)] = axis;
@@ -276,7 +276,7 @@ Result<Profile> loadProfile(const std::string& nameOrPath, const std::string& pl
 
 Result<Profile> parseProfile(std::string_view text, const std::string& place) {
   CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_profile", kNewestVersion));
+  CUTIS_CHECK(checkVersion(root, "cutis_profile", kNewestProfile));
   CUTIS_CHECK(root.allowOnly({"cutis_profile", "name", "description", "parameters", "absorption",
                               "epidermis", "dermis", "refractive_index", "layer_optics", "prior",
                               "sources"}));

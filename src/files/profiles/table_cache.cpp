@@ -38,8 +38,8 @@ std::string checksum(const SkinTable& table) {
 }
 
 // Nothing if the file is not exactly what was written for this key.
-std::optional<SkinTable> read(const fs::path& path, const std::string& key,
-                              const ParameterAxes& axes, int channelCount) {
+std::optional<SkinTable> readSkinTable(const fs::path& path, const std::string& key,
+                                       const ParameterAxes& axes, int channelCount) {
   std::ifstream stream(path, std::ios::binary);
   std::string header(sizeof kMagic - 1 + 2 * kDigestLength, '\0');
   if (!stream.read(header.data(), static_cast<std::streamsize>(header.size()))) return {};
@@ -56,7 +56,7 @@ std::optional<SkinTable> read(const fs::path& path, const std::string& key,
   return table;
 }
 
-Status write(const fs::path& path, const std::string& key, const SkinTable& table) {
+Status writeSkinTable(const fs::path& path, const std::string& key, const SkinTable& table) {
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);
   return writeAtomically(path, [&](const fs::path& temporary) -> Status {
@@ -85,14 +85,15 @@ Result<std::shared_ptr<const SkinTable>> cachedSkinTable(const SkinModel& model,
   const fs::path path = folder / ("table-" + key + ".bin");
   std::error_code ignored;
   if (usable && fs::exists(path, ignored)) {
-    if (auto table = read(path, key, model.profile().axes, static_cast<int>(rows.rows()))) {
+    if (auto table =
+            readSkinTable(path, key, model.profile().axes, static_cast<int>(rows.rows()))) {
       return std::make_shared<const SkinTable>(std::move(*table));
     }
     context.say("the cached table " + path.string() +
                 " is damaged or from another version; it is built again");
   }
   CUTIS_TRY(built, buildSkinTable(model, rows, context));
-  if (usable) static_cast<void>(write(path, key, built));
+  if (usable) static_cast<void>(writeSkinTable(path, key, built));
   return std::make_shared<const SkinTable>(std::move(built));
 }
 

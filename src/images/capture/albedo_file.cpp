@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -22,13 +21,14 @@ Status checkRig(const Rig& rig) {
                         rig.name + "' is not; use the rig 'albedo' or name a capture");
 }
 
-Result<std::array<std::size_t, 3>> colorChannels(const Image& image, const std::string& place) {
+Result<std::array<std::size_t, 3>> colorChannels(const ImageHeader& image,
+                                                 const std::string& place) {
   constexpr std::array<const char*, 3> names = {"R", "G", "B"};
   std::array<std::size_t, 3> channels = {};
   for (std::size_t c = 0; c < names.size(); ++c) {
     const int index = image.channelIndex(names[c]);
     if (index < 0) {
-      const bool grey = image.channels.size() <= 2;
+      const bool grey = image.channelNames.size() <= 2;
       return inputError(place, std::string("the image is ") +
                                    (grey ? "grey" : "without the channels R, G and B") +
                                    "; skin is told by its colour, save it as a colour image");
@@ -59,19 +59,18 @@ Result<Conversion> conversionFor(const Image& image, const AlbedoOptions& option
   if (found) return Conversion{space, found.value()};
   if (!found.failed() || !says) return found.failure();
   return inputError(place, "the file says that its colours are '" + space +
-                               "', which is not known; name them with --colorspace, for example " +
+                               "', which is not known; name their colour space, for example " +
                                defaultSpace(image.sourceType));
 }
 
 class AlbedoReader {
  public:
   AlbedoReader(Albedo& albedo, std::array<std::size_t, 3> channels, RgbConversion toLinear,
-               Plane mask, double exposure)
+               Plane mask)
       : albedo_(albedo), channels_(channels), toLinear_(std::move(toLinear)), mask_(mask) {
     const Rig& rig = albedo.measurements.rig;
     const Eigen::Vector3d white = whitePoint(rig.lights.front().power, rig.camera.sensor);
-    const Eigen::Matrix3d matrix =
-        exposure * (white.cwiseInverse().asDiagonal() * xyzFromRec709(white));
+    const Eigen::Matrix3d matrix = white.cwiseInverse().asDiagonal() * xyzFromRec709(white);
     matrix_ = matrix.cast<float>();
     clips_ = isInteger(albedo.source.sourceType);
     const int alpha = albedo.source.channelIndex("A");
@@ -141,15 +140,14 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
                           const RgbConversionLookup& toLinearRec709, const Rig& rig,
                           const std::shared_ptr<TileStore>& store, const JobContext& context) {
   CUTIS_CHECK(checkRig(rig));
-  if (!std::isfinite(options.exposure) || !(options.exposure > 0.0)) {
-    return usageError("--exposure", "the exposure must be a positive number");
-  }
   const std::string place = path.string();
-  CUTIS_TRY(header, readImageHeader(path, context));
-  const PixelFormat format =
-      header.sourceType == SampleType::half ? PixelFormat::half : PixelFormat::float32;
-  CUTIS_TRY(image, readImage(path, format, store, context.child(0.0, 0.7)));
-  CUTIS_TRY(channels, colorChannels(image, place));
+  std::array<std::size_t, 3> channels = {};
+  const auto accept = [&](const ImageHeader& header) -> Status {
+    CUTIS_TRY(found, colorChannels(header, place));
+    channels = found;
+    return {};
+  };
+  CUTIS_TRY(image, readImage(path, {{}, accept}, store, context.child(0.0, 0.7)));
   CUTIS_TRY(conversion, conversionFor(image, options, toLinearRec709, place));
   Plane mask;
   if (!options.mask.empty()) {
@@ -161,7 +159,7 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   albedo.source = std::move(image);
   albedo.colorSpace = conversion.space;
   albedo.measurements.rig = rig;
-  AlbedoReader reader(albedo, channels, conversion.toLinear, mask, options.exposure);
+  AlbedoReader reader(albedo, channels, conversion.toLinear, mask);
   CUTIS_CHECK(reader.measure(store, context.child(0.75, 1.0)));
   return albedo;
 }

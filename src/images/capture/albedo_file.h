@@ -31,7 +31,6 @@ using RgbConversionLookup =
 struct AlbedoOptions {
   // Empty: what the file says, else sRGB for integers and linear Rec.709 for floats.
   std::string colorSpace = {};
-  double exposure = 1.0;            // multiplies the linear values; positive
   std::filesystem::path mask = {};  // may be empty
 };
 

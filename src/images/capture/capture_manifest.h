@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/capture
 
 // capture.json by itself: what it says, checked, before any image is opened. For the files of this
 // folder.

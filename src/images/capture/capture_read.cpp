@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "src/files/io/file_extension.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/capture/capture_manifest.h"
 #include "src/images/capture/mask_file.h"
@@ -72,13 +72,14 @@ class CaptureReader {
     for (const CapturePhotograph& entry : manifest_.photographs) {
       const auto done = static_cast<double>(photographs_.size());
       const JobContext part = context_.child(0.9 * done / count, 0.9 * (done + 1.0) / count);
-      CUTIS_TRY(header, readImageHeader(entry.path, part));
-      CUTIS_CHECK(checkSize(header, entry));
-      CUTIS_TRY(channels, cameraChannels(header, manifest_.rig.camera, entry.path.string()));
-      // A half holds its own kind exactly, and nothing else.
-      const PixelFormat format =
-          header.sourceType == SampleType::half ? PixelFormat::half : PixelFormat::float32;
-      CUTIS_TRY(image, readImage(entry.path, format, store_, part));
+      std::array<std::size_t, 3> channels = {};
+      const auto accept = [&](const ImageHeader& header) -> Status {
+        CUTIS_CHECK(checkSize(header, entry));
+        CUTIS_TRY(found, cameraChannels(header, manifest_.rig.camera, entry.path.string()));
+        channels = found;
+        return {};
+      };
+      CUTIS_TRY(image, readImage(entry.path, {{}, accept}, store_, part));
       Photograph photograph;
       for (std::size_t c = 0; c < 3; ++c)
         photograph.planes[c] = image.channels[channels[c]];
@@ -167,10 +168,7 @@ class CaptureReader {
 
 bool looksLikeCapture(const fs::path& path) {
   std::error_code ignored;
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".json" || fs::is_directory(path, ignored);
+  return lowerExtension(path) == ".json" || fs::is_directory(path, ignored);
 }
 
 Result<Capture> readCapture(const fs::path& path, const CaptureReadOptions& options,

@@ -22,7 +22,7 @@ Status clampToMask(Plane& plane, const JobContext& context) {
   });
 }
 
-std::string sizeText(int width, int height) {
+std::string maskSizeText(int width, int height) {
   return std::to_string(width) + " × " + std::to_string(height);
 }
 
@@ -34,9 +34,9 @@ Result<Plane> readMask(const std::filesystem::path& path, int width, int height,
   CUTIS_TRY(reader, ImageReader::open(path, context));
   CUTIS_TRY(part, reader.part(0));
   if (part.width() != width || part.height() != height) {
-    return inputError(path.string(), "the mask is " + sizeText(part.width(), part.height()) +
+    return inputError(path.string(), "the mask is " + maskSizeText(part.width(), part.height()) +
                                          " pixels but " + subject + " is " +
-                                         sizeText(width, height) + "; make them the same size");
+                                         maskSizeText(width, height) + "; make them the same size");
   }
   constexpr std::array<int, 1> first = {0};
   CUTIS_TRY(planes, reader.read(part, first, PixelFormat::float32, store, context));

@@ -106,8 +106,9 @@ struct ImageReader::Chunks {
 };
 
 Error ImageReader::damaged(const std::string& reason) const {
-  return inputError(place_, "the " + imageKindName(kind_) + " file is damaged or cut off (" +
-                                oiioReason(reason, place_) + "); get a sound copy");
+  return inputError(place_, "the " + std::string(imageFormat(kind_).name) +
+                                " file is damaged or cut off (" + oiioReason(reason, place_) +
+                                "); get a sound copy");
 }
 
 Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
@@ -121,9 +122,9 @@ Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
   reader.place_ = path.string();
   reader.kind_ = kind;
   try {
-    reader.input_ = OIIO::ImageInput::create(oiioFormatName(kind));
+    reader.input_ = OIIO::ImageInput::create(std::string(imageFormat(kind).libraryName));
     if (!reader.input_) {
-      return inputError(reader.place_, imageKindName(kind) +
+      return inputError(reader.place_, std::string(imageFormat(kind).name) +
                                            " files cannot be read by this build of OpenImageIO; "
                                            "convert the file");
     }

@@ -23,7 +23,7 @@ class Writer {
     output_.reset();
     // TIFF rereads what it wrote to add the EXIF block, and reports a full disk by itself.
     sink_ = kind_ == ImageFileKind::tiff ? nullptr : std::make_unique<OutputFile>(file_);
-    output_ = OIIO::ImageOutput::create(oiioFormatName(kind_), sink_.get());
+    output_ = OIIO::ImageOutput::create(std::string(imageFormat(kind_).libraryName), sink_.get());
     if (!output_) return refused("this build of OpenImageIO does not write the format");
     const bool opened =
         specs.size() == 1

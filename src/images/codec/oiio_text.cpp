@@ -29,26 +29,6 @@ std::string oiioReason(const std::string& message, const std::string& place) {
   return reason.empty() ? "no reason given" : reason;
 }
 
-const char* oiioFormatName(ImageFileKind kind) {
-  switch (kind) {
-    case ImageFileKind::png:
-      return "png";
-    case ImageFileKind::tiff:
-      return "tiff";
-    case ImageFileKind::openExr:
-      return "openexr";
-    case ImageFileKind::jpeg:
-      return "jpeg";
-    case ImageFileKind::bmp:
-      return "bmp";
-    case ImageFileKind::radiance:
-      return "hdr";
-    case ImageFileKind::targa:
-      return "targa";
-  }
-  return "";
-}
-
 OIIO::TypeDesc oiioType(SampleType type) {
   switch (type) {
     case SampleType::uint8:

@@ -7,15 +7,12 @@
 #include <OpenImageIO/typedesc.h>
 
 #include "src/images/codec/sample_type.h"
-#include "src/images/codec/source_file.h"
 
 namespace cutis {
 
 // The first line of a message, without the file's name and not too long.
 std::string oiioReason(const std::string& message, const std::string& place);
 
-// "openexr", "png", …: the library's name of its reader and writer.
-const char* oiioFormatName(ImageFileKind kind);
 OIIO::TypeDesc oiioType(SampleType type);
 
 // Limits that hold for the whole program; called before anything is opened. Thread-safe.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/codec
 
 // The file that a picture is written into. For the files of this folder.
 //

@@ -1,44 +1,17 @@
 #include "src/images/codec/png_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
+#include <zlib.h>
 
 namespace cutis {
 namespace {
 
 constexpr std::streamsize kSignatureBytes = 8;
 constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
-
-// CRC-32 of ISO 3309, as PNG annex D gives it.
-class Crc {
- public:
-  void add(const unsigned char* bytes, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      value_ = table()[(value_ ^ bytes[i]) & 0xffu] ^ (value_ >> 8);
-    }
-  }
-  std::uint32_t value() const { return ~value_; }
-
- private:
-  static const std::array<std::uint32_t, 256>& table() {
-    static const std::array<std::uint32_t, 256> values = [] {
-      std::array<std::uint32_t, 256> t = {};
-      for (std::uint32_t n = 0; n < 256; ++n) {
-        std::uint32_t c = n;
-        for (int bit = 0; bit < 8; ++bit)
-          c = (c & 1u) != 0 ? 0xedb88320u ^ (c >> 1) : c >> 1;
-        t[n] = c;
-      }
-      return t;
-    }();
-    return values;
-  }
-  std::uint32_t value_ = 0xffffffffu;
-};
 
 std::uint32_t bigEndian(const unsigned char* bytes) {
   return (std::uint32_t{bytes[0]} << 24) | (std::uint32_t{bytes[1]} << 16) |
@@ -65,18 +38,18 @@ Status checkPngChunks(const std::filesystem::path& path, PngExtent extent,
     if (!readBytes(stream, head, sizeof head)) return cutOff();
     const std::string name(reinterpret_cast<const char*>(head + 4), 4);
     if (extent == PngExtent::beforePixels && name == "IDAT") return {};
-    Crc crc;
-    crc.add(head + 4, 4);
+    // CRC-32 of ISO 3309, as PNG annex D gives it.
+    uLong crc = crc32(0, head + 4, 4);
     for (std::size_t left = bigEndian(head); left > 0;) {
       if (context.stopRequested()) return Cancelled{};
       const std::size_t count = std::min(left, buffer.size());
       if (!readBytes(stream, buffer.data(), count)) return cutOff();
-      crc.add(buffer.data(), count);
+      crc = crc32(crc, buffer.data(), static_cast<uInt>(count));
       left -= count;
     }
     unsigned char stored[4] = {};
     if (!readBytes(stream, stored, sizeof stored)) return cutOff();
-    if (bigEndian(stored) != crc.value()) {
+    if (bigEndian(stored) != crc) {
       return inputError(path.string(),
                         "the PNG file is damaged (a checksum does not match); get a sound copy");
     }

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/codec
 
 // Whether a PNG file is whole.
 //

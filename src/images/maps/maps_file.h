@@ -64,6 +64,9 @@ bool isMapsFile(const std::filesystem::path& path);
 Result<MapsFile> readMaps(const std::filesystem::path& path, PixelFormat format,
                           const std::shared_ptr<TileStore>& store, const JobContext& context);
 
+// Whether the name is that of a format that holds maps; a usage error where it is not.
+Status checkMapsName(const std::filesystem::path& path);
+
 // Replaces the file as a whole or leaves it as it was. Precondition: all planes have the size of
 // the maps, deviations are none or five, those of constants none or as many as these, residuals
 // match their names.

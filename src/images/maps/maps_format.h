@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/maps
 
 // Names that stand in maps files. For the files of this folder.
 

@@ -14,7 +14,7 @@ namespace {
 
 using namespace maps_format;
 
-constexpr char kWayOut[] = "fit an image first with cutis-cli fit";
+constexpr char kWayOut[] = "fit an image first";
 
 std::string textAttribute(const OIIO::ImageSpec& spec, const char* name) {
   return std::string(spec.get_string_attribute(name));
@@ -252,7 +252,8 @@ Result<MapsFile> readMaps(const std::filesystem::path& path, PixelFormat format,
   CUTIS_TRY(reader, ImageReader::open(path, context));
   if (reader.kind() != ImageFileKind::openExr) {
     return inputError(reader.place(), std::string("this is not a Cutis maps file but a ") +
-                                          imageKindName(reader.kind()) + " image; " + kWayOut);
+                                          std::string(imageFormat(reader.kind()).name) +
+                                          " image; " + kWayOut);
   }
   CUTIS_TRY(parts, Parts::of(reader));
   return MapsReader(reader, std::move(parts), format, store, context).read();

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/maps
 
 // What no computation could go on with, taken out of maps that were read. For the files of this
 // folder.

@@ -47,7 +47,7 @@ void addAttributes(const MapsAttributes& attributes, OIIO::ImageSpec& spec) {
   spec.attribute(kSourceColorSpace, attributes.sourceColorSpace);
 }
 
-std::vector<std::string> parameterNames() {
+std::vector<std::string> writtenNames() {
   std::vector<std::string> names;
   for (const Parameter parameter : kParameters)
     names.emplace_back(parameterName(parameter));
@@ -66,9 +66,9 @@ std::vector<OutputPart> partsOf(const MapsFile& file) {
                        std::vector<Plane> planes) {
     parts.push_back({specOf(name, channels, size), std::move(planes)});
   };
-  add(kChromophoresPart, parameterNames(), {file.maps.values.begin(), file.maps.values.end()});
+  add(kChromophoresPart, writtenNames(), {file.maps.values.begin(), file.maps.values.end()});
   add(kStatePart, {"state"}, {file.maps.state});
-  if (!file.deviations.empty()) add(kDeviationPart, parameterNames(), file.deviations);
+  if (!file.deviations.empty()) add(kDeviationPart, writtenNames(), file.deviations);
   if (!file.residuals.empty()) add(kResidualPart, file.residualNames, file.residuals);
   if (!file.shading.empty()) add(kShadingPart, {"shading"}, {file.shading});
   const std::vector<std::string> constants = constantNames(file.maps.free());
@@ -82,12 +82,16 @@ std::vector<OutputPart> partsOf(const MapsFile& file) {
 
 }  // namespace
 
+Status checkMapsName(const std::filesystem::path& path) {
+  const auto format = writtenFormat(path);
+  if (format && format.value()->holdsMaps) return {};
+  return usageError(path.string(), "maps are written as OpenEXR; name the file with .exr");
+}
+
 Status writeMaps(const std::filesystem::path& path, const MapsFile& file,
                  const JobContext& context) {
   assert(file.maps.width() > 0 && file.residuals.size() == file.residualNames.size());
-  if (path.extension() != ".exr") {
-    return usageError(path.string(), "maps are written as OpenEXR; name the file with .exr");
-  }
+  CUTIS_CHECK(checkMapsName(path));
   std::vector<OutputPart> parts = partsOf(file);
   std::vector<OIIO::ImageSpec> plain;
   for (OutputPart& part : parts) {

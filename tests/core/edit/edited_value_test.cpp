@@ -1,5 +1,6 @@
-// INTERFACES.md, edit factors: melanin, blend and carotene scale linearly; the haemoglobins by
-// index, C · (1 + (s − 1) · i/N) with i/N = (C/0.5)^⅓ dermal and C/0.3 epidermal.
+// The edit factors of resources/manual/model.md: melanin, blend and carotene scale linearly;
+// the haemoglobins by index, C · (1 + (s − 1) · i/N) with i/N = (C/0.5)^⅓ dermal and C/0.3
+// epidermal.
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,11 @@ namespace {
 
 const ParameterAxis& axisOf(Parameter parameter) {
   return test::li2024().profile().axes[static_cast<std::size_t>(parameter)];
+}
+
+double edited(const ParameterEdit& edit, Parameter parameter, double value) {
+  const Chromophore& row = chromophoreTable()[static_cast<std::size_t>(parameter)];
+  return editedValue(edit, row.editLaw, axisOf(parameter), value);
 }
 
 // The page's formulas, with its numbers.
@@ -47,8 +53,7 @@ class EditedValueTest : public QObject {
         for (const double s : {0.0, 0.25, 0.5, 0.9, 1.0, 1.1, 1.5, 2.0, 5.0, 1000.0}) {
           ParameterEdit edit;
           edit.scale = s;
-          EXPECT_NEAR(editedValue(edit, parameter, axisOf(parameter), c), formula(parameter, c, s),
-                      1e-5 * maximum);
+          EXPECT_NEAR(edited(edit, parameter, c), formula(parameter, c, s), 1e-5 * maximum);
         }
       }
     }
@@ -58,9 +63,8 @@ class EditedValueTest : public QObject {
   void haemoglobinIsAccentuated() {
     ParameterEdit edit;
     edit.scale = 2.0;
-    const ParameterAxis& axis = axisOf(kHaemoglobinDermal);
-    const double little = editedValue(edit, kHaemoglobinDermal, axis, 0.001) / 0.001;
-    const double much = editedValue(edit, kHaemoglobinDermal, axis, 0.05) / 0.05;
+    const double little = edited(edit, kHaemoglobinDermal, 0.001) / 0.001;
+    const double much = edited(edit, kHaemoglobinDermal, 0.05) / 0.05;
     QVERIFY(1.0 < little && little < much && much < 2.0);
   }
 
@@ -69,11 +73,10 @@ class EditedValueTest : public QObject {
       const double maximum = axisOf(parameter).maximum;
       ParameterEdit edit;
       edit.add = 0.1 * maximum;
-      EXPECT_NEAR(editedValue(edit, parameter, axisOf(parameter), 0.3 * maximum), 0.4 * maximum,
-                  1e-12);
-      EXPECT_NEAR(editedValue(edit, parameter, axisOf(parameter), 0.95 * maximum), maximum, 1e-15);
+      EXPECT_NEAR(edited(edit, parameter, 0.3 * maximum), 0.4 * maximum, 1e-12);
+      EXPECT_NEAR(edited(edit, parameter, 0.95 * maximum), maximum, 1e-15);
       edit.add = -0.1 * maximum;
-      EXPECT_NEAR(editedValue(edit, parameter, axisOf(parameter), 0.05 * maximum), 0.0, 0.0);
+      EXPECT_NEAR(edited(edit, parameter, 0.05 * maximum), 0.0, 0.0);
     }
   }
 
@@ -82,16 +85,16 @@ class EditedValueTest : public QObject {
     ParameterEdit edit;
     edit.scale = 2.0;
     edit.add = 0.01;
-    EXPECT_NEAR(editedValue(edit, kMelanin, axisOf(kMelanin), 0.1), 0.21, 1e-15);
+    EXPECT_NEAR(edited(edit, kMelanin, 0.1), 0.21, 1e-15);
     edit.set = 0.3;
-    EXPECT_NEAR(editedValue(edit, kMelanin, axisOf(kMelanin), 0.1), 0.3, 0.0);
+    EXPECT_NEAR(edited(edit, kMelanin, 0.1), 0.3, 0.0);
     edit.set = 0.0;
-    EXPECT_NEAR(editedValue(edit, kMelanin, axisOf(kMelanin), 0.1), 0.0, 0.0);
+    EXPECT_NEAR(edited(edit, kMelanin, 0.1), 0.0, 0.0);
     // The sum is clamped, not its parts.
     edit.set.reset();
     edit.scale = 10.0;
     edit.add = -0.6;
-    EXPECT_NEAR(editedValue(edit, kMelanin, axisOf(kMelanin), 0.1), 0.4, 1e-15);
+    EXPECT_NEAR(edited(edit, kMelanin, 0.1), 0.4, 1e-15);
   }
 
   void clampsWhateverIsAsked() {
@@ -102,7 +105,7 @@ class EditedValueTest : public QObject {
         set.set = wild;
         add.add = wild;
         for (const ParameterEdit& edit : {set, add}) {
-          const double value = editedValue(edit, parameter, axis, 0.5 * axis.maximum);
+          const double value = edited(edit, parameter, 0.5 * axis.maximum);
           EXPECT_NEAR(value, wild < 0.0 ? 0.0 : axis.maximum, 0.0);
         }
       }

@@ -1,4 +1,4 @@
-// FITTING.md, error protocol: its pixels, its figures and its bound.
+// The error protocol of resources/manual/accuracy.md: its pixels, its figures and its bound.
 
 #include <cmath>
 
@@ -165,7 +165,8 @@ class ErrorProtocolTest : public QObject {
     EXPECT_NEAR(coverage.assumed[kHaemoglobinDermal].share(), 1.0, 0.0);
   }
 
-  // FITTING.md: 7.6e-7, 1.4e-6, 3.8e-6, 9.7e-6 for the monitor rig's nine channels.
+  // resources/manual/accuracy.md: 7.6e-7, 1.4e-6, 3.8e-6, 9.7e-6 for the monitor rig's nine
+  // channels.
   void theBoundIsAsDesigned() {
     constexpr std::array<double, 4> noises = {0.001, 0.002, 0.005, 0.01};
     constexpr std::array<double, 4> designed = {7.6e-7, 1.4e-6, 3.8e-6, 9.7e-6};

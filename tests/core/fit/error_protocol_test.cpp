@@ -1,4 +1,5 @@
-// FITTING.md, error protocol (the paper's Table 1, made reproducible), monitor rig.
+// The error protocol of resources/manual/accuracy.md (the paper's Table 1, made reproducible) on
+// the monitor rig.
 
 #include <functional>
 #include <memory>
@@ -75,8 +76,8 @@ class ErrorProtocolTest : public QObject {
     EXPECT_AT_MOST(error, 3e-8);
   }
 
-  // FITTING.md: Bayesian Cramér–Rao bounds, nine channels; with the box a little less is possible,
-  // and nothing may be much worse.
+  // The Bayesian Cramér–Rao bounds of resources/manual/accuracy.md, nine channels; with the box a
+  // little less is possible, and nothing may be much worse.
   void refinedReachesTheBound_data() {
     QTest::addColumn<double>("noise");
     QTest::addColumn<double>("bound");

@@ -32,7 +32,8 @@ struct PixelSet {
   Eigen::VectorXd at(std::size_t pixel) const;
 };
 
-// Of exact spectra; multiplicative Gaussian noise (FITTING.md, error protocol).
+// The channels of exact spectra with multiplicative Gaussian noise (error protocol,
+// resources/manual/accuracy.md).
 PixelSet simulate(const Rig& rig, const std::vector<ParameterVector>& people, double noise = 0.0);
 // The first channels.size() values are the channels of one pixel, and so on.
 PixelSet pixelsOf(const std::vector<std::vector<float>>& pixels);

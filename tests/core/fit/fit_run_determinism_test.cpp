@@ -1,4 +1,5 @@
-// FITTING.md: duplicates, crops, tiles, tile order and thread counts agree bit for bit.
+// What resources/manual/fitting.md promises: duplicates, crops, tiles, tile order and thread counts
+// agree bit for bit.
 
 #include <cmath>
 #include <cstring>

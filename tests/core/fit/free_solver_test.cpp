@@ -23,8 +23,8 @@ using test::Person;
 constexpr NoiseModel kExact = {0.0, 0.0};
 constexpr NoiseModel kUsual = {0.0, 0.005};
 
-std::unique_ptr<const PixelSolver> solverOf(const SkinModel& model, const FreeConstants& free,
-                                            const NoiseModel& noise) {
+std::unique_ptr<const PixelSolver> freeSolverOf(const SkinModel& model, const FreeConstants& free,
+                                                const NoiseModel& noise) {
   FitOptions options;
   options.free = free;
   options.noise = noise;
@@ -104,7 +104,7 @@ class FreeSolverTest : public QObject {
     const FreeConstants free = {oxygenation, thickness};
     const auto model = test::profileModel(profile.toStdString());
     const auto people = test::crowd(*model, free, 200);
-    const auto solver = solverOf(*model, free, kExact);
+    const auto solver = freeSolverOf(*model, free, kExact);
     EXPECT_AT_MOST(solver->nodes().rmsError, 1.5e-6);
     const Found found(*solver, test::photographCrowd(*model, test::manyLightRig(), people, 0.0));
     for (int k = kParameterCount; k < static_cast<int>(solver->valueCount()); ++k) {
@@ -130,7 +130,7 @@ class FreeSolverTest : public QObject {
     const FreeConstants free = {oxygenation, thickness};
     const auto model = test::profileModel(profile.toStdString());
     const auto people = test::crowd(*model, free, 1000);
-    const auto solver = solverOf(*model, free, kUsual);
+    const auto solver = freeSolverOf(*model, free, kUsual);
     const Found found(*solver, test::photographCrowd(*model, test::manyLightRig(), people, 0.005));
     QVERIFY(std::ranges::all_of(found.states,
                                 [](PixelState state) { return state == PixelState::solved; }));
@@ -158,7 +158,7 @@ class FreeSolverTest : public QObject {
       const auto pixels =
           test::photographCrowd(*model, test::manyLightRig(), people, kUsual.proportional);
       const FreeConstants free = {true, true};
-      const Found found(*solverOf(*model, free, kUsual), pixels);
+      const Found found(*freeSolverOf(*model, free, kUsual), pixels);
       FitOptions options;
       options.noise = kUsual;
       const auto five =
@@ -185,7 +185,7 @@ class FreeSolverTest : public QObject {
     const auto people = test::crowd(*model, free, 150);
     const auto pixels =
         test::photographCrowd(*model, test::manyLightRig(), people, kUsual.proportional);
-    const auto solver = solverOf(*model, free, kUsual);
+    const auto solver = freeSolverOf(*model, free, kUsual);
     const Found together(*solver, pixels);
     for (const std::size_t i : {0U, 63U, 64U, 149U}) {
       test::PixelSet one;
@@ -232,7 +232,7 @@ class FreeSolverTest : public QObject {
       jagged[k] = 0.0f;
     strange.push_back(jagged);
     for (const NoiseModel& noise : {kUsual, kExact}) {
-      const auto solver = solverOf(*model, {true, true}, noise);
+      const auto solver = freeSolverOf(*model, {true, true}, noise);
       const Found found(*solver, test::pixelsOf(strange));
       for (std::size_t i = 0; i < strange.size(); ++i) {
         for (const Parameter k : kParameters) {

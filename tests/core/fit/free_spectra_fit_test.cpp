@@ -32,7 +32,7 @@ const SkinModel& skin2026() {
 }
 
 // 400, 410 … 700 nm, all of them on the grid.
-std::vector<double> wavelengths() {
+std::vector<double> measuredWavelengths() {
   std::vector<double> nm;
   for (double w = 400.0; w <= 700.0; w += 10.0)
     nm.push_back(w);
@@ -46,51 +46,51 @@ std::vector<int> samplesOf(const std::vector<double>& nm) {
   return samples;
 }
 
-struct Person {
+struct MeasuredPerson {
   ParameterVector parameters;
   SkinConstants constants;
 };
 
 // Faces with blood enough to tell its oxygenation and melanin enough to tell where it lies.
-std::vector<Person> people(const FreeConstants& free, const Profile& profile, int count) {
+std::vector<MeasuredPerson> measuredPeople(const FreeConstants& free, const Profile& profile,
+                                           int count) {
   std::mt19937 random(3);
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
   const bool thin = profile.layerOptics == LayerOpticsKind::addingDoubling;
-  std::vector<Person> people;
+  std::vector<MeasuredPerson> measuredPeople;
   for (int i = 0; i < count; ++i) {
-    Person person;
+    MeasuredPerson person;
     person.parameters << between(0.01, 0.15), between(0.2, 0.9), between(0.02, 0.1),
         between(0.005, 0.04), between(0.0005, 0.003);
     person.constants = constantsOf(profile);
     if (free.oxygenation) person.constants.oxygenation = between(0.3, 0.9);
     if (free.thickness)
       person.constants.thicknessMm = thin ? between(0.05, 0.25) : between(0.3, 0.45);
-    people.push_back(person);
+    measuredPeople.push_back(person);
   }
-  return people;
+  return measuredPeople;
 }
 
 // By models made for each person's constants.
-std::vector<double> spectraOf(const Profile& profile, const std::vector<Person>& people,
-                              const std::vector<double>& nm, double noise = 0.0) {
+std::vector<double> freeSpectraOf(const Profile& profile,
+                                  const std::vector<MeasuredPerson>& measuredPeople,
+                                  const std::vector<double>& nm, double noise = 0.0) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   const std::vector<int> samples = samplesOf(nm);
   std::vector<double> values;
-  for (const Person& person : people) {
+  for (const MeasuredPerson& person : measuredPeople) {
     const Profile own = withConstants(profile, person.constants);
-    const EpidermalAbsorption upper = epidermalAbsorption(own);
-    const DermalAbsorption lower = dermalAbsorption(own);
+    const AbsorptionLaw law(own);
     const bool diffuses = own.layerOptics == LayerOpticsKind::diffusion;
     const auto optics = diffuses ? makeDiffusionOptics(own)
                                  : makeTabulatedOptics(std::make_shared<const LayerTable>(
                                        LayerTable::make(own, samples).value()));
     for (const int sample : samples) {
-      values.push_back(optics->reflectance(sample,
-                                           epidermalAbsorptionAt(upper, sample, person.parameters),
-                                           dermalAbsorptionAt(lower, sample, person.parameters)) +
+      const LayerPair absorption = law.at(sample, person.parameters);
+      values.push_back(optics->reflectance(sample, absorption.epidermal, absorption.dermal) +
                        noise * normal(random));
     }
   }
@@ -118,9 +118,9 @@ class FreeSpectraFitTest : public QObject {
     QFETCH(bool, thickness);
     const SkinModel& model = transfer ? skin2026() : test::li2024();
     const FreeConstants free = {oxygenation, thickness};
-    const auto crowd = people(free, model.profile(), 40);
-    const auto nm = wavelengths();
-    const auto spectra = spectraOf(model.profile(), crowd, nm);
+    const auto crowd = measuredPeople(free, model.profile(), 40);
+    const auto nm = measuredWavelengths();
+    const auto spectra = freeSpectraOf(model.profile(), crowd, nm);
     const auto fits = fitSpectraFreely(model, nm, spectra, free, {}).value();
     double misfit = 0.0;
     std::vector<double> ofOxygenation, ofThickness;
@@ -142,8 +142,9 @@ class FreeSpectraFitTest : public QObject {
     for (const SkinModel* model : {&test::li2024(), &skin2026()}) {
       const ParameterAxes& axes = model->profile().axes;
       for (const double edgeLoss : {0.0, 0.4}) {
-        const auto misfit = Misfit::make(*model, wavelengths(), {true, true}, edgeLoss, {}).value();
-        const std::vector<double> measured(wavelengths().size(), 0.3);
+        const auto misfit =
+            Misfit::make(*model, measuredWavelengths(), {true, true}, edgeLoss, {}).value();
+        const std::vector<double> measured(measuredWavelengths().size(), 0.3);
         Misfit::Set set;
         set << 0.05, 0.4, 0.06, 0.03, 0.002, 0.55, 0.45;
         const auto cost = [&](int k, double step) {
@@ -165,11 +166,11 @@ class FreeSpectraFitTest : public QObject {
   }
 
   void neverWorseAndWithinBounds() {
-    const auto nm = wavelengths();
+    const auto nm = measuredWavelengths();
     for (const SkinModel* model : {&test::li2024(), &skin2026()}) {
       const Profile& profile = model->profile();
       const ThicknessRange range = thicknessRange(profile).value();
-      auto spectra = spectraOf(profile, people({}, profile, 20), nm, 0.01);
+      auto spectra = freeSpectraOf(profile, measuredPeople({}, profile, 20), nm, 0.01);
       // No skin at all, and as bright as nothing.
       spectra.insert(spectra.end(), nm.size(), 0.5);
       spectra.insert(spectra.end(), nm.size(), 0.0);
@@ -189,9 +190,9 @@ class FreeSpectraFitTest : public QObject {
   }
 
   void nothingFreeIsTheFitOfFive() {
-    const auto nm = wavelengths();
-    const auto spectra =
-        spectraOf(skin2026().profile(), people({true, true}, skin2026().profile(), 20), nm);
+    const auto nm = measuredWavelengths();
+    const auto spectra = freeSpectraOf(skin2026().profile(),
+                                       measuredPeople({true, true}, skin2026().profile(), 20), nm);
     const auto five = fitSpectra(skin2026(), nm, spectra, {}).value();
     const auto fits = fitSpectraFreely(skin2026(), nm, spectra, {}, {}).value();
     for (std::size_t i = 0; i < five.size(); ++i) {
@@ -202,9 +203,10 @@ class FreeSpectraFitTest : public QObject {
   }
 
   void aResultIsItsOwnSpectrumsAlone() {
-    const auto nm = wavelengths();
+    const auto nm = measuredWavelengths();
     const Profile& profile = skin2026().profile();
-    const auto spectra = spectraOf(profile, people({true, true}, profile, 20), nm, 0.005);
+    const auto spectra =
+        freeSpectraOf(profile, measuredPeople({true, true}, profile, 20), nm, 0.005);
     const auto together = fitSpectraFreely(skin2026(), nm, spectra, {true, true}, {}).value();
     for (const std::size_t i : {0U, 15U, 16U, 19U}) {
       const std::span<const double> one(spectra.data() + i * nm.size(), nm.size());
@@ -226,7 +228,7 @@ class FreeSpectraFitTest : public QObject {
     source.request_stop();
     JobContext context;
     context.stop = source.get_token();
-    const auto nm = wavelengths();
+    const auto nm = measuredWavelengths();
     const std::vector<double> spectrum(nm.size(), 0.3);
     QVERIFY(fitSpectraFreely(skin2026(), nm, spectrum, {true, true}, context).cancelled());
   }

@@ -52,13 +52,12 @@ class Oracle {
 
   Spectrum reflectance(const Person& person) {
     const Profile own = withConstants(profile_, person.constants);
-    const EpidermalAbsorption upper = epidermalAbsorption(own);
-    const DermalAbsorption lower = dermalAbsorption(own);
+    const AbsorptionLaw law(own);
     const LayerOptics& optics = opticsOf(own);
     Spectrum reflectance = Spectrum::Zero();
     for (const int s : samples_) {
-      reflectance[s] = optics.reflectance(s, epidermalAbsorptionAt(upper, s, person.parameters),
-                                          dermalAbsorptionAt(lower, s, person.parameters));
+      const LayerPair absorption = law.at(s, person.parameters);
+      reflectance[s] = optics.reflectance(s, absorption.epidermal, absorption.dermal);
     }
     return reflectance;
   }

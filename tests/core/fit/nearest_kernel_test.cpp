@@ -16,7 +16,7 @@ namespace cutis {
 namespace {
 
 constexpr std::size_t kEntries = 4000;
-constexpr std::size_t kPadding = 16;
+constexpr std::size_t kRowPadding = 16;
 
 struct Features {
   std::array<std::vector<float>, kMaximumFeatures> values;
@@ -29,7 +29,7 @@ struct Features {
         column.push_back(static_cast<float>(std::floor(random.uniform(0.0, levels))));
       }
       // What a careless kernel would find past the end.
-      column.resize(kEntries + kPadding, 0.0f);
+      column.resize(kEntries + kRowPadding, 0.0f);
     }
   }
 };

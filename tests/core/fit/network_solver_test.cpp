@@ -18,7 +18,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kPeople = 1000;
+constexpr int kNetworkPeople = 1000;
 
 const ChromophoreNetwork& shippedNetwork() {
   static const ChromophoreNetwork network = [] {
@@ -35,14 +35,14 @@ std::shared_ptr<const ResponseModel> monitorChannels() {
 }
 
 double meanError(double noise) {
-  const auto people = drawPopulation(protocolPopulation(), kPeople, 77);
+  const auto people = drawPopulation(protocolPopulation(), kNetworkPeople, 77);
   const auto solver =
       makeNetworkSolver(shippedNetwork(), networkChannels(test::monitorRig()), monitorChannels());
   const auto solutions = test::solve(*solver, test::simulate(test::monitorRig(), people, noise));
   double sum = 0.0;
   for (std::size_t i = 0; i < people.size(); ++i)
     sum += test::visibleError(people[i], solutions.at(i));
-  return sum / kPeople;
+  return sum / kNetworkPeople;
 }
 
 class NetworkSolverTest : public QObject {
@@ -139,14 +139,13 @@ class NetworkSolverTest : public QObject {
     EXPECT_OK(matchNetwork(shippedNetwork(), profile, test::monitorRig(), "--weights"));
     const auto rig = matchNetwork(shippedNetwork(), profile, test::albedoRig(), "w");
     EXPECT_ERROR(rig, "w: the network was trained for other lights or another camera");
-    EXPECT_ERROR(rig, "cutis-cli train --rig albedo --lights ");
     Rig blind = test::monitorRig();
     blind.lights[1].mix.reset();
     EXPECT_OK(matchNetwork(shippedNetwork(), profile, blind, "w"));
     Profile other = profile;
     other.epidermalThicknessMm *= 1.5;
     EXPECT_ERROR(matchNetwork(shippedNetwork(), other, test::monitorRig(), "w"),
-                 "another profile than 'li2024'; train one with cutis-cli train");
+                 "another profile than 'li2024'");
   }
 };
 

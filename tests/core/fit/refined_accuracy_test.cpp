@@ -19,7 +19,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kPixels = 1000;
+constexpr int kAccuracyPixels = 1000;
 
 FitOptions optionsOf(const Prior& prior, std::optional<NoiseModel> noise = {}) {
   FitOptions options;
@@ -57,7 +57,7 @@ class RefinedAccuracyTest : public QObject {
     const NoiseModel model = {0.0001, noise};
     const auto solver = solverOf(rig, optionsOf(prior, model));
     const test::PixelSet pixels =
-        test::simulate(rig, drawPopulation(protocolPopulation(), kPixels, 8), noise);
+        test::simulate(rig, drawPopulation(protocolPopulation(), kAccuracyPixels, 8), noise);
     const test::Solutions solutions = test::solve(*solver, pixels);
 
     const test::Objective objective = {
@@ -80,10 +80,10 @@ class RefinedAccuracyTest : public QObject {
     qInfo(
         "%d of %d beyond 0.2 deviations (worst %.2g), %d beyond 0.05 in cost (worst %.2g), "
         "%d without convergence",
-        far, kPixels, worstDistance, costly, worstCost, notConverged);
-    EXPECT_AT_MOST(far, 0.01 * kPixels);
-    EXPECT_AT_MOST(costly, 0.01 * kPixels);
-    EXPECT_AT_MOST(notConverged, 0.001 * kPixels);
+        far, kAccuracyPixels, worstDistance, costly, worstCost, notConverged);
+    EXPECT_AT_MOST(far, 0.01 * kAccuracyPixels);
+    EXPECT_AT_MOST(costly, 0.01 * kAccuracyPixels);
+    EXPECT_AT_MOST(notConverged, 0.001 * kAccuracyPixels);
   }
 
   // Over the whole box of the profile, darkest and reddest skin included.
@@ -91,7 +91,7 @@ class RefinedAccuracyTest : public QObject {
     const Prior prior = test::li2024().profile().prior;
     const auto solver = solverOf(test::monitorRig(), optionsOf(prior));
     const test::PixelSet pixels = test::simulate(
-        test::monitorRig(), sampleBox(test::li2024().profile().axes, kPixels), 0.005);
+        test::monitorRig(), sampleBox(test::li2024().profile().axes, kAccuracyPixels), 0.005);
     const test::Solutions solutions = test::solve(*solver, pixels);
     const test::Objective objective = {
         test::li2024(), chooseNodes(test::li2024(), responseRows(test::monitorRig())), prior,
@@ -106,8 +106,8 @@ class RefinedAccuracyTest : public QObject {
       costly += excess <= 0.05 ? 0 : 1;
       worst = std::max(worst, excess);
     }
-    qInfo("%d of %d beyond 0.05 in cost (worst %.2g)", costly, kPixels, worst);
-    EXPECT_AT_MOST(costly, 0.01 * kPixels);
+    qInfo("%d of %d beyond 0.05 in cost (worst %.2g)", costly, kAccuracyPixels, worst);
+    EXPECT_AT_MOST(costly, 0.01 * kAccuracyPixels);
   }
 
   // No noise: the channels are met to what a float can hold.

@@ -139,8 +139,8 @@ class RefinedIndependenceTest : public QObject {
     }
   }
 
-  // FITTING.md: across instruction sets within 1e-6 — of the reflectances; weakly determined
-  // parameters may differ by a trace of their deviation.
+  // resources/manual/fitting.md: across instruction sets reflectances agree within 1e-6; weakly
+  // determined parameters may differ by a trace of their deviation.
   void instructionSetsAgree() {
     const test::PixelSet pixels =
         test::simulate(test::monitorRig(), drawPopulation(protocolPopulation(), 500, 16), 0.005);

@@ -19,18 +19,18 @@
 namespace cutis {
 namespace {
 
-constexpr int kPixels = 1000;
+constexpr int kShadedPixels = 1000;
 
 // Skin in light and shadow.
 struct ShadedPixels {
   ShadedPixels()
-      : people(drawPopulation(protocolPopulation(), kPixels, 21)),
+      : people(drawPopulation(protocolPopulation(), kShadedPixels, 21)),
         pixels(test::simulate(test::monitorRig(), people, 0.005)) {
     Random random(22);
-    for (std::size_t i = 0; i < kPixels; ++i) {
+    for (std::size_t i = 0; i < kShadedPixels; ++i) {
       factors.push_back(std::max(0.2, 1.0 + kUsualShadingDeviation * random.normal()));
       for (std::size_t k = 0; k < pixels.channelCount(); ++k) {
-        pixels.channels[k * kPixels + i] *= static_cast<float>(factors.back());
+        pixels.channels[k * kShadedPixels + i] *= static_cast<float>(factors.back());
       }
     }
   }
@@ -40,7 +40,7 @@ struct ShadedPixels {
   std::vector<double> factors;
 };
 
-std::unique_ptr<const PixelSolver> solverOf(std::optional<double> shading) {
+std::unique_ptr<const PixelSolver> shadedSolverOf(std::optional<double> shading) {
   FitOptions options;
   options.prior = test::populationPrior();
   options.shading = shading;
@@ -77,20 +77,20 @@ class ShadingTest : public QObject {
   // Shade and melanin look much alike, so that no more can be had of nine channels.
   void findsTheShadeAndTheSkin() {
     const ShadedPixels scene;
-    const auto solver = solverOf(kUsualShadingDeviation);
+    const auto solver = shadedSolverOf(kUsualShadingDeviation);
     test::Solutions solutions = test::solve(*solver, scene.pixels);
-    std::vector<float> factors(kPixels);
+    std::vector<float> factors(kShadedPixels);
     solver->shading(scene.pixels.rows(), solutions.rows(), factors.data());
-    const auto plain = solverOf({});
+    const auto plain = shadedSolverOf({});
     const test::Solutions unaware = test::solve(*plain, scene.pixels);
     std::vector<double> errors, assumed;
     double spectra = 0.0, unawareSpectra = 0.0;
-    for (std::size_t i = 0; i < kPixels; ++i) {
+    for (std::size_t i = 0; i < kShadedPixels; ++i) {
       QVERIFY(solutions.states[i] == PixelState::solved);
       errors.push_back(double{factors[i]} - scene.factors[i]);
       assumed.push_back(1.0 - scene.factors[i]);
-      spectra += test::visibleError(scene.people[i], solutions.at(i)) / kPixels;
-      unawareSpectra += test::visibleError(scene.people[i], unaware.at(i)) / kPixels;
+      spectra += test::visibleError(scene.people[i], solutions.at(i)) / kShadedPixels;
+      unawareSpectra += test::visibleError(scene.people[i], unaware.at(i)) / kShadedPixels;
     }
     qInfo("factor: rms error %.3f of %.3f; visible MSE %.2g, %.2g without shading",
           rootMeanSquare(errors), rootMeanSquare(assumed), spectra, unawareSpectra);
@@ -101,7 +101,7 @@ class ShadingTest : public QObject {
   // The estimate is the lowest point of the cost, the factor included.
   void nothingNearbyIsBetter() {
     const ShadedPixels scene;
-    const auto solver = solverOf(kUsualShadingDeviation);
+    const auto solver = shadedSolverOf(kUsualShadingDeviation);
     const test::Solutions solutions = test::solve(*solver, scene.pixels);
     const NoiseModel noise = test::monitorRig().noise;
     const test::Objective objective = {
@@ -146,28 +146,28 @@ class ShadingTest : public QObject {
   // What the factor can make up for is not known of the skin.
   void deviationsKnowOfIt() {
     const ShadedPixels scene;
-    const auto shaded = solverOf(kUsualShadingDeviation), plain = solverOf({});
+    const auto shaded = shadedSolverOf(kUsualShadingDeviation), plain = shadedSolverOf({});
     test::Solutions solutions = test::solve(*shaded, scene.pixels);
     std::vector<float> with(solutions.parameters.size()), without(with.size());
     shaded->deviations(scene.pixels.rows(), solutions.rows(),
-                       packedRows(with.data(), kParameterCount, kPixels));
+                       packedRows(with.data(), kParameterCount, kShadedPixels));
     plain->deviations(scene.pixels.rows(), solutions.rows(),
-                      packedRows(without.data(), kParameterCount, kPixels));
+                      packedRows(without.data(), kParameterCount, kShadedPixels));
     double sum = 0.0, plainSum = 0.0;
-    for (std::size_t i = 0; i < kPixels; ++i) {
-      sum += double{with[kMelanin * kPixels + i]};
-      plainSum += double{without[kMelanin * kPixels + i]};
+    for (std::size_t i = 0; i < kShadedPixels; ++i) {
+      sum += double{with[kMelanin * kShadedPixels + i]};
+      plainSum += double{without[kMelanin * kShadedPixels + i]};
     }
     QVERIFY2(sum > 1.5 * plainSum, qPrintable(QString("%1, %2").arg(sum).arg(plainSum)));
   }
 
   void residualsKnowOfIt() {
     const ShadedPixels scene;
-    const auto solver = solverOf(kUsualShadingDeviation);
+    const auto solver = shadedSolverOf(kUsualShadingDeviation);
     test::Solutions solutions = test::solve(*solver, scene.pixels);
     std::vector<float> residuals(scene.pixels.channels.size());
     solver->residuals(scene.pixels.rows(), solutions.rows(),
-                      packedRows(residuals.data(), scene.pixels.channelCount(), kPixels));
+                      packedRows(residuals.data(), scene.pixels.channelCount(), kShadedPixels));
     std::vector<double> relative;
     for (std::size_t i = 0; i < residuals.size(); ++i) {
       relative.push_back(double{residuals[i]} / double{scene.pixels.channels[i]});

@@ -16,7 +16,7 @@
 namespace cutis {
 namespace {
 
-const SkinModel& model() {
+const SkinModel& spectraModel() {
   return test::li2024();
 }
 
@@ -41,7 +41,7 @@ std::vector<double> spectraOf(const std::vector<ParameterVector>& people,
   std::normal_distribution<double> normal;
   std::vector<double> values;
   for (const ParameterVector& person : people) {
-    const Spectrum spectrum = model().reflectance(person);
+    const Spectrum spectrum = spectraModel().reflectance(person);
     for (const double w : nm) {
       values.push_back(std::max(0.0, interpolated(spectrum, w) + noise * normal(random)));
     }
@@ -50,12 +50,12 @@ std::vector<double> spectraOf(const std::vector<ParameterVector>& people,
 }
 
 std::vector<SpectrumFit> fit(const std::vector<double>& nm, const std::vector<double>& values) {
-  return fitSpectra(model(), nm, values, {}).value();
+  return fitSpectra(spectraModel(), nm, values, {}).value();
 }
 
 double rmse(const ParameterVector& parameters, const std::vector<double>& nm,
             const double* measured) {
-  const Spectrum spectrum = model().reflectance(parameters);
+  const Spectrum spectrum = spectraModel().reflectance(parameters);
   double sum = 0.0;
   for (std::size_t w = 0; w < nm.size(); ++w) {
     sum += std::pow(measured[w] - interpolated(spectrum, nm[w]), 2);
@@ -73,10 +73,10 @@ double multistart(const std::vector<double>& nm, const double* measured, int sta
   nodes.weights = Eigen::MatrixXd::Identity(count, count);
   EstimatorOptions options;
   options.noise = {0.001, 0.0};
-  const MapEstimator estimator(model(), nodes, options);
+  const MapEstimator estimator(spectraModel(), nodes, options);
   const Eigen::VectorXd channels = Eigen::Map<const Eigen::VectorXd>(measured, count);
   double best = 1e9;
-  for (const ParameterVector& start : sampleBox(model().profile().axes, starts, 777)) {
+  for (const ParameterVector& start : sampleBox(spectraModel().profile().axes, starts, 777)) {
     best = std::min(best, estimator.solve(channels, start).residual.norm());
   }
   return best / std::sqrt(static_cast<double>(nm.size()));
@@ -87,16 +87,17 @@ class SpectraFitTest : public QObject {
 
  private slots:
   void recoversExactSpectra() {
-    const auto people = sampleBox(model().profile().axes, 10000, 60000);
+    const auto people = sampleBox(spectraModel().profile().axes, 10000, 60000);
     const auto nm = wavelengths();
     const auto fits = fit(nm, spectraOf(people, nm));
     double worst = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < people.size(); ++i) {
       worst = std::max(worst, fits[i].rmse);
-      sum += (model().reflectance(fits[i].parameters) - model().reflectance(people[i]))
-                 .segment(kVisibleBand.first, kVisibleBand.count())
-                 .square()
-                 .mean();
+      sum +=
+          (spectraModel().reflectance(fits[i].parameters) - spectraModel().reflectance(people[i]))
+              .segment(kVisibleBand.first, kVisibleBand.count())
+              .square()
+              .mean();
     }
     EXPECT_AT_MOST(worst, 1e-6);
     EXPECT_AT_MOST(sum / static_cast<double>(people.size()), 1e-12);
@@ -109,7 +110,7 @@ class SpectraFitTest : public QObject {
   }
   void endsAtTheGlobalOptimum() {
     QFETCH(double, noise);
-    const auto people = sampleBox(model().profile().axes, 100, 70000);
+    const auto people = sampleBox(spectraModel().profile().axes, 100, 70000);
     const auto nm = wavelengths();
     const auto values = spectraOf(people, nm, noise);
     const auto fits = fit(nm, values);
@@ -120,7 +121,7 @@ class SpectraFitTest : public QObject {
       EXPECT_NEAR(fits[i].rmse, rmse(fits[i].parameters, nm, measured), 1e-10);
       for (const Parameter k : kParameters) {
         QVERIFY(fits[i].parameters[k] >= 0.0);
-        QVERIFY(fits[i].parameters[k] <= model().profile().axes[k].maximum);
+        QVERIFY(fits[i].parameters[k] <= spectraModel().profile().axes[k].maximum);
       }
     }
   }
@@ -138,7 +139,7 @@ class SpectraFitTest : public QObject {
   // A blend has no slope without melanin, and at the most melanin only the sum of both kinds is
   // bounded.
   void reachesCornersOfTheBox() {
-    const ParameterAxes& axes = model().profile().axes;
+    const ParameterAxes& axes = spectraModel().profile().axes;
     std::vector<ParameterVector> people;
     for (int corner = 0; corner < 32; ++corner) {
       ParameterVector person;
@@ -164,7 +165,7 @@ class SpectraFitTest : public QObject {
   }
 
   void takesAnyWavelengths() {
-    const auto people = sampleBox(model().profile().axes, 50, 80000);
+    const auto people = sampleBox(spectraModel().profile().axes, 50, 80000);
     std::vector<double> uneven, dense;
     for (double w = 301.3; w < 1000.0; w += 17.7)
       uneven.push_back(w);
@@ -178,7 +179,7 @@ class SpectraFitTest : public QObject {
   }
 
   void aResultIsItsOwnSpectrumsAlone() {
-    const auto people = sampleBox(model().profile().axes, 100, 90000);
+    const auto people = sampleBox(spectraModel().profile().axes, 100, 90000);
     const auto nm = wavelengths();
     const auto values = spectraOf(people, nm, 0.005);
     const auto together = fit(nm, values);
@@ -196,7 +197,8 @@ class SpectraFitTest : public QObject {
     JobContext context;
     context.stop = source.get_token();
     const auto nm = wavelengths();
-    QVERIFY(fitSpectra(model(), nm, std::vector<double>(nm.size(), 0.3), context).cancelled());
+    QVERIFY(
+        fitSpectra(spectraModel(), nm, std::vector<double>(nm.size(), 0.3), context).cancelled());
   }
 
   void nothingGivesNothing() { QVERIFY(fit(wavelengths(), {}).empty()); }

@@ -19,7 +19,8 @@ namespace {
 
 constexpr int kPixels = 200;
 
-// FITTING.md, methods 1 and 2, in double precision and without a thought for speed.
+// The methods full-search and three-stage of resources/manual/fitting.md, in double precision and
+// without a thought for speed.
 class NaiveSearch {
  public:
   // The table's rows: r, g, b under white, sb, sg, X, Y, Z under D65.
@@ -193,7 +194,7 @@ class TableSearchTest : public QObject {
     }
   }
 
-  // FITTING.md: "it comes out as 0 on the protocol".
+  // resources/manual/fitting.md: the fixed carotene comes out as 0 for li2024 and monitor.
   void theFixedCaroteneIsZero() {
     QCOMPARE(test::monitorSearch()->mostFrequentCarotene(test::li2024(), test::monitorRig(), 300),
              0);

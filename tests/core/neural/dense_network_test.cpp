@@ -11,7 +11,7 @@
 namespace cutis {
 namespace {
 
-DenseNetwork example() {
+DenseNetwork smallNetwork() {
   return randomNetwork({3, 7, 4, 2}, Activation::squareplus, Activation::sigmoid, 5);
 }
 
@@ -54,11 +54,11 @@ class DenseNetworkTest : public QObject {
   }
 
   void seedDecidesTheWeights() {
-    QVERIFY(example() == example());
+    QVERIFY(smallNetwork() == smallNetwork());
     const auto other = randomNetwork({3, 7, 4, 2}, Activation::squareplus, Activation::sigmoid, 6);
-    QVERIFY(!(example() == other));
-    QCOMPARE(example().parameterCount(), std::size_t{3 * 7 + 7 + 7 * 4 + 4 + 4 * 2 + 2});
-    QCOMPARE(example().workPerSample(), std::size_t{3 * 7 + 7 * 4 + 4 * 2});
+    QVERIFY(!(smallNetwork() == other));
+    QCOMPARE(smallNetwork().parameterCount(), std::size_t{3 * 7 + 7 + 7 * 4 + 4 + 4 * 2 + 2});
+    QCOMPARE(smallNetwork().workPerSample(), std::size_t{3 * 7 + 7 * 4 + 4 * 2});
   }
 
   void linearLayersFoldIntoTheNext() {
@@ -67,7 +67,7 @@ class DenseNetworkTest : public QObject {
     DenseNetwork network;
     network.layers.push_back(linearLayer(turn, Eigen::VectorXd::Ones(3)));
     network.layers.push_back(linearLayer(turn, Eigen::VectorXd::Ones(3)));
-    network = joined(network, example());
+    network = joined(network, smallNetwork());
     network.layers.push_back(linearLayer(rows, Eigen::VectorXd::Ones(5)));
     network.layers.push_back(linearLayer(rows.transpose(), Eigen::VectorXd::Ones(2)));
     const DenseNetwork folded = merged(network);
@@ -85,20 +85,20 @@ class DenseNetworkTest : public QObject {
   }
 
   void damageIsNamed() {
-    EXPECT_OK(validate(example(), "weights"));
+    EXPECT_OK(validate(smallNetwork(), "weights"));
     EXPECT_ERROR(validate(DenseNetwork(), "weights"), "weights: a network has 1 to 16 layers");
-    DenseNetwork network = example();
+    DenseNetwork network = smallNetwork();
     network.layers[1].weights.pop_back();
     EXPECT_ERROR(validate(network, "weights"), "layer 2 needs 28 weights and 4 biases, not 27");
-    network = example();
+    network = smallNetwork();
     network.layers[2].bias[1] = std::numeric_limits<float>::quiet_NaN();
     EXPECT_ERROR(validate(network, "weights"), "layer 3 has a weight that is not a finite number");
     network.layers[2].bias[1] = 1e30f;
     EXPECT_ERROR(validate(network, "weights"), "layer 3 has a weight that is not a finite number");
-    network = example();
+    network = smallNetwork();
     network.layers.erase(network.layers.begin() + 1);
     EXPECT_ERROR(validate(network, "weights"), "layer 2 has 4 inputs");
-    network = example();
+    network = smallNetwork();
     network.layers[0].inputs = -1;
     EXPECT_ERROR(validate(network, "weights"), "layer 1 must have 1 to 512");
     network.layers[0].inputs = 2'000'000'000;

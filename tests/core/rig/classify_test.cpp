@@ -10,8 +10,8 @@
 namespace cutis {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
+constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 class ClassifyTest : public QObject {
   Q_OBJECT
@@ -32,17 +32,19 @@ class ClassifyTest : public QObject {
     QTest::newRow("no mask") << skin << 0.0f << false << masked;
     QTest::newRow("negative zero mask") << skin << -0.0f << false << masked;
     QTest::newRow("negative mask") << skin << -1.0f << false << masked;
-    QTest::newRow("mask not a number") << skin << kNan << false << masked;
+    QTest::newRow("mask not a number") << skin << kNotANumber << false << masked;
     QTest::newRow("masked and clipped") << skin << 0.0f << true << masked;
-    QTest::newRow("masked and invalid") << QVector<float>{kNan, 1, 1} << 0.0f << false << masked;
+    QTest::newRow("masked and invalid")
+        << QVector<float>{kNotANumber, 1, 1} << 0.0f << false << masked;
     QTest::newRow("clipped") << skin << 1.0f << true << saturated;
     QTest::newRow("clipped, half a mask") << skin << 0.5f << true << saturated;
-    QTest::newRow("not a number") << QVector<float>{0.5f, kNan, 0.2f} << 1.0f << false << invalid;
-    QTest::newRow("infinite") << QVector<float>{0.5f, 0.3f, kInfinity} << 1.0f << false << invalid;
+    QTest::newRow("not a number") << QVector<float>{0.5f, kNotANumber, 0.2f} << 1.0f << false
+                                  << invalid;
+    QTest::newRow("infinite") << QVector<float>{0.5f, 0.3f, kEndless} << 1.0f << false << invalid;
     QTest::newRow("minus infinite")
-        << QVector<float>{-kInfinity, 0.3f, 1} << 1.0f << false << invalid;
+        << QVector<float>{-kEndless, 0.3f, 1} << 1.0f << false << invalid;
     QTest::newRow("infinite and clipped")
-        << QVector<float>{kInfinity, 1, 1} << 1.0f << true << invalid;
+        << QVector<float>{kEndless, 1, 1} << 1.0f << true << invalid;
     QTest::newRow("negative") << QVector<float>{0.5f, -1e-9f, 0.2f} << 1.0f << false << invalid;
     QTest::newRow("black") << QVector<float>{0, 0, 0} << 1.0f << false << invalid;
     QTest::newRow("negative zeros") << QVector<float>{-0.0f, -0.0f, 0} << 1.0f << false << invalid;

@@ -38,7 +38,7 @@ class RigTest : public QObject {
     }
   }
 
-  // FITTING.md: Σ R S L / Σ S L, light by light.
+  // resources/manual/model.md: Σ R S L / Σ S L, light by light.
   void channelsAreTheRatioOfSums() {
     const Rig& rig = test::monitorRig();
     const SpectrumRows rows = responseRows(rig);

@@ -22,18 +22,18 @@
 namespace cutis {
 namespace {
 
-const Profile& twoLayers() {
+const Profile& twoFreeLayers() {
   static const Profile profile =
       loadProfile(test::sourceFolder() / "tests/support/two_layer_profile.json", "test").value();
   return profile;
 }
 
-const Profile& li2024() {
+const Profile& profileLi2024() {
   return test::li2024().profile();
 }
 
 // 340, 390 … 990 nm.
-std::vector<int> someSamples() {
+std::vector<int> freeSamples() {
   std::vector<int> samples;
   for (int i = 20; i < kSampleCount; i += 25)
     samples.push_back(i);
@@ -43,13 +43,13 @@ std::vector<int> someSamples() {
 // Absorptions of one profile over its box, and room for the thicknesses.
 struct States {
   States(const Profile& profile, double thicknessMm, int count) : thickness(count, thicknessMm) {
-    const EpidermalAbsorption upper = epidermalAbsorption(profile);
-    const DermalAbsorption lower = dermalAbsorption(profile);
+    const AbsorptionLaw law(profile);
     const auto people = sampleBox(profile.axes, count, 5000);
-    for (const int sample : someSamples()) {
+    for (const int sample : freeSamples()) {
       for (const ParameterVector& person : people) {
-        epidermal.push_back(epidermalAbsorptionAt(upper, sample, person));
-        dermal.push_back(dermalAbsorptionAt(lower, sample, person));
+        const LayerPair absorption = law.at(sample, person);
+        epidermal.push_back(absorption.epidermal);
+        dermal.push_back(absorption.dermal);
       }
     }
   }
@@ -66,13 +66,13 @@ class FreeLayersTest : public QObject {
 
  private Q_SLOTS:
   void transferIsThatOfATableForTheThickness() {
-    const auto samples = someSamples();
-    const FreeLayers layers = FreeLayers::make(twoLayers(), samples, {true, true}).value();
+    const auto samples = freeSamples();
+    const FreeLayers layers = FreeLayers::make(twoFreeLayers(), samples, {true, true}).value();
     for (const SkinConstants& constants :
          {SkinConstants{0.6, 0.02}, SkinConstants{0.0, 0.035}, SkinConstants{1.0, 0.06},
           SkinConstants{0.6, 0.093}, SkinConstants{0.3, 0.17}, SkinConstants{0.8, 0.25},
           SkinConstants{0.0, 0.36}, SkinConstants{1.0, 0.5}}) {
-      const Profile profile = withConstants(twoLayers(), constants);
+      const Profile profile = withConstants(twoFreeLayers(), constants);
       const LayerTable table = LayerTable::make(profile, samples).value();
       const States given(profile, constants.thicknessMm, 400);
       const LayerSpectra spectra = layers.evaluate(given.states(), false);
@@ -91,10 +91,10 @@ class FreeLayersTest : public QObject {
   }
 
   void diffusionIsExact() {
-    const auto samples = someSamples();
-    const FreeLayers layers = FreeLayers::make(li2024(), samples, {true, true}).value();
+    const auto samples = freeSamples();
+    const FreeLayers layers = FreeLayers::make(profileLi2024(), samples, {true, true}).value();
     for (const double thickness : {0.29, 0.32, 0.5}) {
-      const SkinModel model(withConstants(li2024(), {0.4, thickness}));
+      const SkinModel model(withConstants(profileLi2024(), {0.4, thickness}));
       const States given(model.profile(), thickness, 100);
       const LayerSpectra spectra = layers.evaluate(given.states(), true);
       for (std::size_t at = 0; at < spectra.reflectance.size(); ++at) {
@@ -108,8 +108,8 @@ class FreeLayersTest : public QObject {
   }
 
   void slopesAreThoseOfTheReflectance() {
-    const auto samples = someSamples();
-    for (const Profile& profile : {twoLayers(), li2024()}) {
+    const auto samples = freeSamples();
+    for (const Profile& profile : {twoFreeLayers(), profileLi2024()}) {
       const FreeLayers layers = FreeLayers::make(profile, samples, {false, true}).value();
       const double thickness = 0.31, step = 1e-5;
       const States given(profile, thickness, 100);
@@ -140,10 +140,10 @@ class FreeLayersTest : public QObject {
   }
 
   void aFixedThicknessIsTheProfiles() {
-    const auto samples = someSamples();
-    const FreeLayers layers = FreeLayers::make(twoLayers(), samples, {}).value();
-    const LayerTable table = LayerTable::make(twoLayers(), samples).value();
-    const States given(twoLayers(), 0.4, 50);
+    const auto samples = freeSamples();
+    const FreeLayers layers = FreeLayers::make(twoFreeLayers(), samples, {}).value();
+    const LayerTable table = LayerTable::make(twoFreeLayers(), samples).value();
+    const States given(twoFreeLayers(), 0.4, 50);
     const LayerSpectra spectra = layers.evaluate(given.states(), false);
     for (std::size_t at = 0; at < spectra.reflectance.size(); ++at) {
       EXPECT_NEAR(
@@ -154,13 +154,13 @@ class FreeLayersTest : public QObject {
   }
 
   void bloodIsThatOfTheOxygenation() {
-    const auto samples = someSamples();
-    for (const Profile& profile : {twoLayers(), li2024()}) {
+    const auto samples = freeSamples();
+    for (const Profile& profile : {twoFreeLayers(), profileLi2024()}) {
       const FreeBlood blood(profile, samples, true);
       for (double oxygenation = 0.0; oxygenation <= 1.0; oxygenation += 0.0625) {
         const Profile exact = withConstants(profile, {oxygenation, 0.3});
-        const Spectrum upper = epidermalAbsorption(exact).blood;
-        const Spectrum lower = dermalAbsorption(exact).blood;
+        const Spectrum upper = chromophoreTable()[kHaemoglobinEpidermal].absorption(exact);
+        const Spectrum lower = chromophoreTable()[kHaemoglobinDermal].absorption(exact);
         const double largest = std::max(upper.maxCoeff(), lower.maxCoeff());
         const FreeBlood::Values values = blood.at(std::vector<double>{oxygenation});
         const double step = 1e-6;
@@ -180,31 +180,31 @@ class FreeLayersTest : public QObject {
   }
 
   void oxygenationsMoveTogetherWithinTheirRange() {
-    QCOMPARE(withConstants(twoLayers(), {0.5, 0.1}).dermalBlood.oxygenation, 0.5);
-    EXPECT_NEAR(withConstants(twoLayers(), {0.5, 0.1}).epidermalBlood.oxygenation, 0.6, 1e-12);
-    QCOMPARE(withConstants(twoLayers(), {0.97, 0.1}).epidermalBlood.oxygenation, 1.0);
-    const Profile same = withConstants(twoLayers(), constantsOf(twoLayers()));
-    QCOMPARE(fingerprint(same), fingerprint(twoLayers()));
+    QCOMPARE(withConstants(twoFreeLayers(), {0.5, 0.1}).dermalBlood.oxygenation, 0.5);
+    EXPECT_NEAR(withConstants(twoFreeLayers(), {0.5, 0.1}).epidermalBlood.oxygenation, 0.6, 1e-12);
+    QCOMPARE(withConstants(twoFreeLayers(), {0.97, 0.1}).epidermalBlood.oxygenation, 1.0);
+    const Profile same = withConstants(twoFreeLayers(), constantsOf(twoFreeLayers()));
+    QCOMPARE(fingerprint(same), fingerprint(twoFreeLayers()));
   }
 
   void whatIsFoundIsAValidProfile() {
-    for (const Profile& profile : {twoLayers(), li2024()}) {
+    for (const Profile& profile : {twoFreeLayers(), profileLi2024()}) {
       const ThicknessRange range = thicknessRange(profile).value();
       for (const double thickness : {range.lowMm, range.highMm}) {
         for (const double oxygenation : {0.0, 1.0})
           EXPECT_OK(validate(withConstants(profile, {oxygenation, thickness}), "test"));
       }
     }
-    QCOMPARE(thicknessRange(twoLayers()).value().lowMm, 0.02);
-    QVERIFY(thicknessRange(li2024()).value().lowMm > 0.25);
+    QCOMPARE(thicknessRange(twoFreeLayers()).value().lowMm, 0.02);
+    QVERIFY(thicknessRange(profileLi2024()).value().lowMm > 0.25);
   }
 
   void aProfileBeyondTheRangeKeepsItsThickness() {
-    Profile thick = twoLayers();
+    Profile thick = twoFreeLayers();
     thick.epidermalThicknessMm = 0.8;
-    EXPECT_ERROR(FreeLayers::make(thick, someSamples(), {false, true}),
+    EXPECT_ERROR(FreeLayers::make(thick, freeSamples(), {false, true}),
                  "keep the thickness of this profile");
-    EXPECT_OK(FreeLayers::make(thick, someSamples(), {true, false}));
+    EXPECT_OK(FreeLayers::make(thick, freeSamples(), {true, false}));
   }
 };
 

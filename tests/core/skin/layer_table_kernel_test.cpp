@@ -55,13 +55,13 @@ struct Pairs {
   std::vector<T> epidermal, dermal, value, perEpidermal, perDermal;
 };
 
-struct Errors {
+struct KernelErrors {
   double value = 0.0, slope = 0.0;  // slope in units of max(|∂R|, 1e-2)
 };
 
 template <typename T>
-Errors errorsAgainstDouble() {
-  Errors errors;
+KernelErrors errorsAgainstDouble() {
+  KernelErrors errors;
   for (const LayerPolynomial<double>& exact : table().polynomials()) {
     Pairs<T> pairs(exact, 3001);
     evaluateBatch(polynomialOf<T>(exact), pairs.batch());
@@ -94,11 +94,11 @@ class LayerTableKernelTest : public QObject {
   void agreesWithTheOracle() {
     QFETCH(QString, instructionSet);
     if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
-    const Errors single = errorsAgainstDouble<float>();
+    const KernelErrors single = errorsAgainstDouble<float>();
     qInfo("float: %.2g, derivatives %.2g", single.value, single.slope);
     EXPECT_AT_MOST(single.value, 2e-6);
     EXPECT_AT_MOST(single.slope, 1e-3);
-    const Errors twice = errorsAgainstDouble<double>();
+    const KernelErrors twice = errorsAgainstDouble<double>();
     qInfo("double: %.2g, derivatives %.2g", twice.value, twice.slope);
     EXPECT_AT_MOST(twice.value, 1e-13);
     EXPECT_AT_MOST(twice.slope, 1e-10);

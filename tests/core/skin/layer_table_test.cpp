@@ -81,15 +81,13 @@ double direct(const TwoLayers& layers, double epidermal, double dermal,
 Errors errorsOf(const Profile& profile, const std::vector<ParameterVector>& points,
                 const LayerTableOptions& options = {}) {
   const LayerTable table = tableOf(profile, options);
-  const EpidermalAbsorption epidermis = epidermalAbsorption(profile);
-  const DermalAbsorption dermis = dermalAbsorption(profile);
+  const AbsorptionLaw law(profile);
   Errors errors;
   double count = 0.0;
   for (const int sample : table.samples()) {
     const TwoLayers layers = layersOf(profile, sample);
     for (const ParameterVector& p : points) {
-      const double e = epidermalAbsorptionAt(epidermis, sample, p);
-      const double d = dermalAbsorptionAt(dermis, sample, p);
+      const auto [e, d] = law.at(sample, p);
       const double exact = direct(
           layers, e, d,
           {options.streams, profile.refractiveIndex, options.anisotropy, options.illumination});

@@ -54,7 +54,7 @@ class ReferenceModelTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // MODEL.md, "Check values".
+  // The check values of resources/manual/model.md.
   void meetsTheCheckValues() {
     constexpr std::array<int, 12> nm = {300, 350, 414, 450, 500, 542,
                                         576, 600, 700, 850, 970, 1000};
@@ -140,7 +140,7 @@ class ReferenceModelTest : public QObject {
     }
   }
 
-  // MODEL.md: R falls with C_m, C_hd and C_he at every wavelength.
+  // resources/manual/model.md: R falls with C_m, C_hd and C_he at every wavelength.
   void monotoneWhereTheModelSaysSo() {
     for (const ParameterVector& p : sampleBox(model().profile().axes, 300)) {
       SpectrumJacobian slopes;
@@ -176,8 +176,12 @@ class ReferenceModelTest : public QObject {
   void reportsWhereDiffusionEnds() {
     const ParameterVector pale = {0.01, 0.5, 0.01, 0.01, 0.0};
     const ParameterVector dark = {0.4, 1.0, 0.01, 0.01, 0.0};
-    QVERIFY(model().holdsAt(sampleAt(550), pale));
-    QVERIFY(!model().holdsAt(sampleAt(450), dark));
+    const auto holds = [](int nm, const ParameterVector& skin) {
+      const LayerPair absorption = model().absorption().at(sampleAt(nm), skin);
+      return model().optics().holds(sampleAt(nm), absorption.epidermal, absorption.dermal);
+    };
+    QVERIFY(holds(550, pale));
+    QVERIFY(!holds(450, dark));
   }
 
   void refusesAnEpidermisThinnerThanOneMeanFreePath() {

@@ -27,7 +27,7 @@ const Profile& twoLayers() {
   return profile;
 }
 
-int sampleAt(int nm) {
+int indexOf(int nm) {
   return (nm - kFirstWavelengthNm) / kWavelengthStepNm;
 }
 
@@ -112,15 +112,13 @@ class TwoLayerProfileTest : public QObject {
  private slots:
   void absorptionIsItsFormulas() {
     const Profile& p = twoLayers();
-    const EpidermalAbsorption upper = epidermalAbsorption(p);
-    const DermalAbsorption lower = dermalAbsorption(p);
+    const AbsorptionLaw law(p);
     for (const Row& row : kRows) {
       for (int nm = 300; nm <= 1000; nm += 10) {
         const double expected = epidermis(p, row.parameters, nm);
-        EXPECT_NEAR(epidermalAbsorptionAt(upper, sampleAt(nm), row.parameters), expected,
-                    2e-7 * expected);
+        EXPECT_NEAR(law.at(indexOf(nm), row.parameters).epidermal, expected, 2e-7 * expected);
         const double below = dermis(p, row.parameters, nm);
-        EXPECT_NEAR(dermalAbsorptionAt(lower, sampleAt(nm), row.parameters), below, 1e-12);
+        EXPECT_NEAR(law.at(indexOf(nm), row.parameters).dermal, below, 1e-12);
       }
     }
   }
@@ -139,9 +137,9 @@ class TwoLayerProfileTest : public QObject {
     const Spectrum inDermis = bloodIn(p, p.dermalBlood), inEpidermis = bloodIn(p, p.epidermalBlood);
     const Spectrum moved = 3.0 * shiftedAndSmoothed(p.carotene, 24.0, 8.0);
     for (std::size_t k = 0; k < kNm.size(); ++k) {
-      EXPECT_NEAR(inDermis[sampleAt(kNm[k])], dermal[k], 1e-6);
-      EXPECT_NEAR(inEpidermis[sampleAt(kNm[k])], epidermal[k], 1e-6);
-      EXPECT_NEAR(moved[sampleAt(kNm[k])], carotenes[k], 1e-6);
+      EXPECT_NEAR(inDermis[indexOf(kNm[k])], dermal[k], 1e-6);
+      EXPECT_NEAR(inEpidermis[indexOf(kNm[k])], epidermal[k], 1e-6);
+      EXPECT_NEAR(moved[indexOf(kNm[k])], carotenes[k], 1e-6);
     }
   }
 
@@ -157,16 +155,16 @@ class TwoLayerProfileTest : public QObject {
 
   void radiativeTransferMeetsTheCheckValues() {
     const Profile& p = twoLayers();
-    const EpidermalAbsorption upper = epidermalAbsorption(p);
-    const DermalAbsorption lower = dermalAbsorption(p);
+    const AbsorptionLaw law(p);
     const Spectrum above = epidermalScattering(p), below = dermalScattering(p);
     double worst = 0.0;
     for (const Row& row : kRows) {
       for (std::size_t k = 0; k < kNm.size(); ++k) {
-        const int i = sampleAt(kNm[k]);
+        const int i = indexOf(kNm[k]);
+        const LayerPair absorption = law.at(i, row.parameters);
         const std::vector<TransportLayer> skin = {
-            {epidermalAbsorptionAt(upper, i, row.parameters), above[i], p.epidermalThicknessMm},
-            {dermalAbsorptionAt(lower, i, row.parameters), below[i]}};
+            {absorption.epidermal, above[i], p.epidermalThicknessMm},
+            {absorption.dermal, below[i]}};
         TransportOptions options;
         options.refractiveIndex = p.refractiveIndex;
         const auto transport = layeredTransport(skin, options);

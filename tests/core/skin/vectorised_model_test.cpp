@@ -16,7 +16,7 @@
 namespace cutis {
 namespace {
 
-const SkinModel& model() {
+const SkinModel& profileModel() {
   return test::li2024();
 }
 
@@ -28,25 +28,25 @@ std::vector<int> wholeGrid() {
 
 // Evenly spread points, and the corners of the box.
 std::vector<ParameterVector> testPoints() {
-  std::vector<ParameterVector> points = sampleBox(model().profile().axes, 3000);
+  std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 3000);
   for (int corner = 0; corner < 32; ++corner) {
     ParameterVector p;
     for (int k = 0; k < kParameterCount; ++k) {
-      p[k] = (corner >> k & 1) * model().profile().axes[static_cast<std::size_t>(k)].maximum;
+      p[k] = (corner >> k & 1) * profileModel().profile().axes[static_cast<std::size_t>(k)].maximum;
     }
     points.push_back(p);
   }
   return points;
 }
 
-struct Errors {
+struct ModelErrors {
   double value = 0.0;
   double slope = 0.0;  // in units of 1e-4 · max(|∂R|, 1e-3)
 };
 
 template <typename T>
-Errors errorsAgainstReference() {
-  const CompiledModel nodes(model(), wholeGrid());
+ModelErrors errorsAgainstReference() {
+  const CompiledModel nodes(profileModel(), wholeGrid());
   const std::vector<ParameterVector> points = testPoints();
   const PixelBuffer<T> parameters = parameterRows<T>(points);
   const std::size_t count = points.size();
@@ -55,16 +55,16 @@ Errors errorsAgainstReference() {
     return packedRows(of.data(), kSampleCount, count);
   };
   reflectanceBatch<T>(nodes, parameters.rows(), rowsOf(value), rowsOf(epidermal), rowsOf(dermal));
-  Errors errors;
+  ModelErrors errors;
   for (std::size_t i = 0; i < count; ++i) {
     // The reference sees the rounded parameters: the kernel answers for its own arithmetic.
     ParameterVector p;
     for (std::size_t k = 0; k < kParameterCount; ++k)
       p[static_cast<Eigen::Index>(k)] = parameters[k][i];
     for (int s = 0; s < kSampleCount; ++s) {
+      const LayerPair absorption = profileModel().absorption().at(s, p);
       const LayeredReflectance exact =
-          model().optics().evaluate(s, epidermalAbsorptionAt(model().epidermis(), s, p),
-                                    dermalAbsorptionAt(model().dermis(), s, p));
+          profileModel().optics().evaluate(s, absorption.epidermal, absorption.dermal);
       const std::size_t at = static_cast<std::size_t>(s) * count + i;
       errors.value = std::max(errors.value, std::abs(value[at] - exact.reflectance));
       const auto slopeError = [](double a, double b) {
@@ -93,19 +93,19 @@ class VectorisedModelTest : public QObject {
   void agreesWithTheReference() {
     QFETCH(QString, instructionSet);
     if (!pinInstructionSet(instructionSet.toStdString())) QSKIP("not on this processor");
-    const Errors single = errorsAgainstReference<float>();
+    const ModelErrors single = errorsAgainstReference<float>();
     qInfo("float: %.2g, derivatives %.2g of the allowed error", single.value, single.slope);
     EXPECT_AT_MOST(single.value, 2e-6);
     EXPECT_AT_MOST(single.slope, 1.0);
-    const Errors twice = errorsAgainstReference<double>();
+    const ModelErrors twice = errorsAgainstReference<double>();
     qInfo("double: %.2g, derivatives %.2g of the allowed error", twice.value, twice.slope);
     EXPECT_AT_MOST(twice.value, 1e-12);
     EXPECT_AT_MOST(twice.slope, 1e-4);
   }
 
   void aPixelDoesNotDependOnItsPlace() {
-    const CompiledModel nodes(model(), {20, 60, 100, 140, 180});
-    const std::vector<ParameterVector> points = sampleBox(model().profile().axes, 37);
+    const CompiledModel nodes(profileModel(), {20, 60, 100, 140, 180});
+    const std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 37);
     const PixelBuffer<float> parameters = parameterRows<float>(points);
     PixelBuffer<float> together(5, points.size());
     reflectanceBatch<float>(nodes, parameters.rows(), together.rows());
@@ -119,8 +119,8 @@ class VectorisedModelTest : public QObject {
 
   // Rows that lie apart, in and out: what is between them is not touched.
   void rowsMayLieApart() {
-    const CompiledModel nodes(model(), {20, 60, 100});
-    const std::vector<ParameterVector> points = sampleBox(model().profile().axes, 40);
+    const CompiledModel nodes(profileModel(), {20, 60, 100});
+    const std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 40);
     const PixelBuffer<float> parameters = parameterRows<float>(points);
     PixelBuffer<float> whole(3, 40), part(3, 40);
     reflectanceBatch<float>(nodes, parameters.rows(), whole.rows());
@@ -132,8 +132,8 @@ class VectorisedModelTest : public QObject {
   }
 
   void notANumberStaysInItsPixel() {
-    const CompiledModel nodes(model(), {100});
-    std::vector<ParameterVector> points = sampleBox(model().profile().axes, 20);
+    const CompiledModel nodes(profileModel(), {100});
+    std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 20);
     PixelBuffer<float> clean(1, points.size()), spoiled(clean);
     reflectanceBatch<float>(nodes, parameterRows<float>(points).rows(), clean.rows());
     points[7][kMelanin] = std::numeric_limits<double>::quiet_NaN();

@@ -16,7 +16,7 @@ class GridTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // MODEL.md: 300–1000 nm in 2 nm steps, 351 samples.
+  // resources/manual/model.md: 300–1000 nm in 2 nm steps, 351 samples.
   void isTheOneGrid() {
     QCOMPARE(kSampleCount, 351);
     EXPECT_NEAR(wavelengthNm(0), 300.0, 0.0);

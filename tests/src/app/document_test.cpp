@@ -2,10 +2,16 @@
 
 #include "src/app/document/document.h"
 
+#include <cstdint>
+#include <fstream>
+#include <optional>
+
 #include <QSignalSpy>
 #include <QtTest>
 
 #include "src/app/document/view_server.h"
+#include "tests/support/expect.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -20,6 +26,15 @@ Command scaleMelanin(double factor, bool moving = false) {
             state.edits.front().parameters[kMelanin].scale = factor;
           },
           moving};
+}
+
+// Nothing where there is no such counter.
+std::optional<std::int64_t> bytesReadByThisThread() {
+  std::ifstream counters("/proc/thread-self/io");
+  std::string name;
+  std::int64_t bytes = 0;
+  if (counters >> name >> bytes && name == "rchar:") return bytes;
+  return std::nullopt;
 }
 
 class DocumentTest : public QObject {
@@ -52,7 +67,8 @@ class DocumentTest : public QObject {
 
   void aWatchIsServedWheneverItsPartChanges() {
     QVector<ViewRequest> served;
-    const auto watch = server_.watch(0, [&](const auto& part) { served << part->request; });
+    const auto watch =
+        server_.watch(ViewPriority::detail, [&](const auto& part) { served << part->request; });
     const ViewRequest request = {ViewKind::skin, {300, 300, 400, 380}, 2};
     watch->want(request);
     QTRY_COMPARE(served.size(), 1);
@@ -68,7 +84,8 @@ class DocumentTest : public QObject {
 
   void whileAControlMovesPartsAreCoarseAndThenFine() {
     QVector<int> steps;
-    const auto watch = server_.watch(0, [&](const auto& part) { steps << part->request.step; });
+    const auto watch =
+        server_.watch(ViewPriority::detail, [&](const auto& part) { steps << part->request.step; });
     watch->want({ViewKind::melanin, {0, 0, 512, 512}, 1});
     QTRY_COMPARE(steps.size(), 1);
     document_.apply(scaleMelanin(1.1, true));
@@ -81,17 +98,51 @@ class DocumentTest : public QObject {
 
   void aWatchThatIsGoneIsNotServed() {
     int served = 0;
-    auto watch = server_.watch(0, [&](const auto&) { ++served; });
+    auto watch = server_.watch(ViewPriority::detail, [&](const auto&) { ++served; });
     watch->want({ViewKind::skin, {0, 0, 1024, 1024}, 1});
     watch.reset();
     QTRY_VERIFY_WITH_TIMEOUT(jobs_.isIdle(), kPatienceMs);
     QCOMPARE(served, 0);
   }
 
+  // What was computed for a watch that is gone is not for the next one, which may well lie at the
+  // same address.
+  void aWatchInThePlaceOfAnotherIsServedItsOwnPart() {
+    const ViewRequest old = {ViewKind::melanin, {0, 0, 1024, 1024}, 1};
+    const ViewRequest own = {ViewKind::melanin, {300, 300, 400, 380}, 2};
+    QVector<ViewRequest> served;
+    auto watch = server_.watch(ViewPriority::detail, [](const auto&) {});
+    watch->want(old);
+    watch.reset();
+    watch = server_.watch(ViewPriority::detail, [&](const auto& part) { served << part->request; });
+    watch->want(own);
+    QTRY_VERIFY(server_.isIdle());
+    QCOMPARE(served.size(), 1);
+    QVERIFY(served[0] == own);
+  }
+
+  void detailComesBeforeOverviewAndThumbnail() {
+    QVector<ViewPriority> order;
+    std::vector<std::unique_ptr<ViewWatch>> watches;
+    for (const auto priority :
+         {ViewPriority::thumbnail, ViewPriority::overview, ViewPriority::detail}) {
+      watches.push_back(
+          server_.watch(priority, [&order, priority](const auto&) { order << priority; }));
+      watches.back()->want({ViewKind::melanin, {0, 0, 64, 64}, 1});
+    }
+    QTRY_COMPARE(order.size(), 3);
+    order.clear();
+    document_.apply(scaleMelanin(1.4));
+    QTRY_COMPARE(order.size(), 3);
+    QCOMPARE(order, (QVector<ViewPriority>{ViewPriority::detail, ViewPriority::overview,
+                                           ViewPriority::thumbnail}));
+  }
+
   // A part is what the whole picture has there, whatever its step and bands.
   void partsAgreeWithTheMaps() {
     std::shared_ptr<const ViewPart> part;
-    const auto watch = server_.watch(0, [&](const auto& served) { part = served; });
+    const auto watch =
+        server_.watch(ViewPriority::detail, [&](const auto& served) { part = served; });
     const ViewRequest request = {ViewKind::melanin, {255, 250, 600, 421}, 3};
     watch->want(request);
     QTRY_VERIFY(part != nullptr);
@@ -120,6 +171,21 @@ class DocumentTest : public QObject {
     QVERIFY(document_.scene().edits.empty());
     document_.undo();  // nothing left
     QCOMPARE(changed.count(), 4);
+  }
+
+  // Whether a file is maps is found out in the background, as the rest of it is read.
+  void openingReadsNothingOnTheInterfaceThread() {
+    const test::ScratchFolder folder;
+    const std::string file = folder.write("large.exr", std::string(1 << 20, '\x76')).string();
+    const auto before = bytesReadByThisThread();
+    if (!before) QSKIP("the system does not count what a thread reads");
+    const auto again = bytesReadByThisThread();
+    QSignalSpy failed(&document_, &Document::failed);
+    document_.open(file);
+    const auto after = bytesReadByThisThread();
+    QTRY_COMPARE(failed.count(), 1);
+    // What the counter itself is read with, whose length may grow by some digits.
+    EXPECT_AT_MOST(*after - *again, *again - *before + 8);
   }
 
   void aFailureLeavesWhatIsOpen() {

@@ -2,6 +2,8 @@
 
 #include <atomic>
 #include <chrono>
+#include <new>
+#include <stdexcept>
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -96,6 +98,51 @@ class JobRunnerTest : public QObject {
     QCOMPARE(progressed[0][2].toDouble(), 0.5);
     QVERIFY(progressed[0][3].toDouble() >= 0.0);
     jobs.cancel(id);
+  }
+
+  // Without this the program would end, and all that is open in it.
+  void whatAJobThrowsIsOneSentence_data() {
+    QTest::addColumn<int>("thrown");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("an error") << 0 << "the disk is made of cheese";
+    QTest::newRow("no memory") << 1 << "not enough memory";
+    QTest::newRow("anything") << 2 << "went wrong";
+  }
+  void whatAJobThrowsIsOneSentence() {
+    QFETCH(int, thrown);
+    QFETCH(QString, words);
+    JobRunner jobs;
+    QSignalSpy failed(&jobs, &JobRunner::failed), finished(&jobs, &JobRunner::finished);
+    const JobId id = jobs.start("work", [thrown](const JobRunner::Handle&) {
+      if (thrown == 0) throw std::runtime_error("the disk is\nmade of cheese");
+      if (thrown == 1) throw std::bad_alloc();
+      throw 7;
+    });
+    QTRY_COMPARE(finished.count(), 1);
+    QCOMPARE(failed.count(), 1);
+    QCOMPARE(failed[0][0].value<JobId>(), id);
+    const QString sentence = failed[0][1].toString();
+    QVERIFY2(sentence.contains(words) && !sentence.contains('\n'), qPrintable(sentence));
+    QVERIFY(jobs.isIdle());
+  }
+
+  void aQuietJobThatThrowsIsToldToo() {
+    JobRunner jobs;
+    QSignalSpy failed(&jobs, &JobRunner::failed);
+    jobs.startQuiet([](const JobRunner::Handle&) { throw std::bad_alloc(); });
+    QTRY_COMPARE(failed.count(), 1);
+  }
+
+  void whatACancelledJobThrowsIsNobodysBusiness() {
+    JobRunner jobs;
+    QSignalSpy failed(&jobs, &JobRunner::failed);
+    const JobId id = jobs.start("work", [](const JobRunner::Handle& job) {
+      workUntilStopped(job);
+      throw std::bad_alloc();
+    });
+    jobs.cancel(id);
+    QTest::qWait(50);
+    QCOMPARE(failed.count(), 0);
   }
 
   void destructionStopsEverything() {

@@ -5,6 +5,7 @@
 
 #include "src/files/profiles/profile_file.h"
 #include "tests/src/cli/program_run.h"
+#include "tests/src/cli/refusal.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -132,9 +133,7 @@ class CalibrateTest : public QObject {
     QFETCH(QString, part);
     const auto before = run_.contents();
     const Outcome outcome = run_.run(line);
-    QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
-    QVERIFY2(outcome.errors.find(part.toStdString()) != std::string::npos, outcome.errors.c_str());
-    QCOMPARE(outcome.status, status);
+    EXPECT_REFUSED(outcome, status, part.toStdString());
     QVERIFY(run_.contents() == before);
   }
 

@@ -19,9 +19,9 @@ Q_DECLARE_METATYPE(cutis::PictureRequest)
 namespace cutis::test {
 namespace {
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 64;
-constexpr std::size_t kPixels = static_cast<std::size_t>(kWidth) * kHeight;
+constexpr int kChainWidth = 96;
+constexpr int kChainHeight = 64;
+constexpr std::size_t kPixels = static_cast<std::size_t>(kChainWidth) * kChainHeight;
 
 std::vector<ParameterVector> parametersOf(const ChromophoreMaps& maps) {
   std::vector<ParameterVector> pixels(static_cast<std::size_t>(maps.width()) *
@@ -45,7 +45,7 @@ Eigen::VectorXd seen(const SpectrumRows& rows, const ParameterVector& skin) {
 }
 
 SpectrumRows rowsOf(const PictureRequest& request) {
-  return pictureRows(request, "test").value();
+  return pictureRows(request, {"test", "test"}).value().rows;
 }
 
 class ChainTest : public QObject {
@@ -77,7 +77,7 @@ class ChainTest : public QObject {
 
   void fitFindsTheSkinThatWasPhotographed() {
     const MapsFile maps = run_.maps("maps.exr");
-    QCOMPARE(maps.maps.width(), kWidth);
+    QCOMPARE(maps.maps.width(), kChainWidth);
     QCOMPARE(maps.deviations.size(), std::size_t{kParameterCount});
     QCOMPARE(maps.residuals.size(), std::size_t{9});
     QCOMPARE(maps.attributes.rigName, std::string("monitor"));
@@ -104,8 +104,8 @@ class ChainTest : public QObject {
     const auto report = nlohmann::json::parse(run_.read("report.json"));
     QCOMPARE(report["method"].get<std::string>(), std::string("refined"));
     QCOMPARE(report["profile"].get<std::string>(), std::string(kDefaultProfile));
-    QCOMPARE(report["width"].get<int>(), kWidth);
-    QCOMPARE(report["height"].get<int>(), kHeight);
+    QCOMPARE(report["width"].get<int>(), kChainWidth);
+    QCOMPARE(report["height"].get<int>(), kChainHeight);
     const auto& pixels = report["pixels"];
     std::size_t sum = 0;
     for (const char* kind : {"masked", "invalid", "saturated", "duplicate", "solved"}) {
@@ -264,7 +264,7 @@ class ChainTest : public QObject {
   void simulatedMapsCanBePhotographedAgain() {
     EXPECT_DONE(run_.run("simulate cap/maps.exr --rig albedo --noise 0 -o again --threads 1"));
     const Image photograph = run_.image("again/D65.exr");
-    QCOMPARE(photograph.width, kWidth);
+    QCOMPARE(photograph.width, kChainWidth);
     QVERIFY(!std::filesystem::exists(run_ / "again/maps.exr"));
     EXPECT_DONE(run_.run("fit again -o again.exr"));
     QCOMPARE(run_.maps("again.exr").attributes.rigName, std::string("albedo"));

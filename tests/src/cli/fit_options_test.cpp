@@ -97,8 +97,7 @@ class FitOptionsTest : public QObject {
     EXPECT_AT_MOST(melaninAway("told.exr"), 0.02);
     const Outcome dark = run_.run("fit shiny -o dark.exr --specular included --specular-share 0.5");
     QCOMPARE(dark.status, 0);
-    QVERIFY2(dark.errors.find("smaller --specular-share") != std::string::npos,
-             dark.errors.c_str());
+    QVERIFY2(dark.errors.find("smaller specular share") != std::string::npos, dark.errors.c_str());
     QVERIFY(melaninAway("untold.exr") > 0.1);
 
     // The edited albedo of what lies below: the same whether it is fitted now or was before.

@@ -2,9 +2,11 @@
 #include <sstream>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/skin/profile/parameter_sampling.h"
 #include "src/files/io/csv.h"
 #include "tests/src/cli/program_run.h"
+#include "tests/src/cli/refusal.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -185,10 +187,7 @@ class FitSpectraTest : public QObject {
     QFETCH(QString, part);
     run_.write("wrong.csv", text.toStdString());
     const Outcome outcome = run_.run("fit-spectra wrong.csv -o none.csv");
-    QCOMPARE(outcome.status, 3);
-    QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
-    QVERIFY2(outcome.errors.find(part.toStdString()) != std::string::npos, outcome.errors.c_str());
-    QVERIFY(outcome.output.empty());
+    EXPECT_REFUSED(outcome, 3, part.toStdString());
     QVERIFY(!std::filesystem::exists(run_ / "none.csv"));
   }
 

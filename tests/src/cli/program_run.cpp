@@ -88,7 +88,7 @@ std::vector<std::pair<std::string, std::string>> ProgramRun::contents() const {
 }
 
 Image ProgramRun::image(const std::string& name) const {
-  return need(readImage(folder_ / name, PixelFormat::float32, nullptr, {}));
+  return need(readImage(folder_ / name, {PixelFormat::float32}, nullptr, {}));
 }
 
 MapsFile ProgramRun::maps(const std::string& name) const {

@@ -5,6 +5,7 @@
 
 #include "core/spectra/grid.h"
 #include "tests/src/cli/program_run.h"
+#include "tests/src/cli/refusal.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -26,7 +27,7 @@ std::vector<std::vector<double>> numbers(const std::string& text) {
   return rows;
 }
 
-// MODEL.md, check values.
+// The check values of resources/manual/model.md.
 constexpr std::array<int, 12> kWavelengths = {300, 350, 414, 450, 500, 542,
                                               576, 600, 700, 850, 970, 1000};
 constexpr char kSets[] =
@@ -106,9 +107,7 @@ class SpectrumTest : public QObject {
     QFETCH(QString, part);
     run_.write("wrong.csv", text.toStdString());
     const Outcome outcome = run_.run("spectrum --csv wrong.csv -o none.csv");
-    QCOMPARE(outcome.status, 3);
-    QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
-    QVERIFY2(outcome.errors.find(part.toStdString()) != std::string::npos, outcome.errors.c_str());
+    EXPECT_REFUSED(outcome, 3, part.toStdString());
     QVERIFY(!std::filesystem::exists(run_ / "none.csv"));
   }
 

@@ -6,6 +6,7 @@
 #include <QThread>
 
 #include "tests/src/cli/program_run.h"
+#include "tests/src/cli/refusal.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -105,10 +106,7 @@ class UsageTest : public QObject {
     QFETCH(int, number);
     const Case& wanted = kCases[static_cast<std::size_t>(number)];
     const Outcome& outcome = outcomes_[static_cast<std::size_t>(number)];
-    QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
-    QVERIFY2(outcome.errors.find(wanted.part) != std::string::npos, outcome.errors.c_str());
-    QCOMPARE(outcome.status, kUsage);
-    QVERIFY(outcome.output.empty());
+    EXPECT_REFUSED(outcome, kUsage, wanted.part);
   }
 
   void interruptLeavesNothingBehind() {

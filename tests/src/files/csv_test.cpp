@@ -1,12 +1,7 @@
 #include "src/files/io/csv.h"
 
-#include <clocale>
-#include <cmath>
-#include <limits>
-
 #include <QtTest>
 
-#include "core/base/random.h"
 #include "src/files/io/text_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
@@ -46,57 +41,6 @@ class CsvTest : public QObject {
   void nothingHasNoRows() {
     QVERIFY(splitCsv("").empty());
     QVERIFY(splitCsv("\n\r\n  \n# only a comment").empty());
-  }
-
-  void numbersAreWhollyNumbers() {
-    for (const auto& [text, value] : std::vector<std::pair<const char*, double>>{
-             {"0", 0.0},
-             {"-1.5", -1.5},
-             {"+2", 2.0},
-             {"1e-3", 1e-3},
-             {".5", 0.5},
-             {"5.", 5.0},
-             {"1E+2", 100.0},
-             {"4.9406564584124654e-324", 4.9406564584124654e-324}}) {
-      QVERIFY2(parseNumber(text), text);
-      EXPECT_NEAR(*parseNumber(text), value, 0.0);
-    }
-    for (const char* text : {"", " ", "1 ", " 1", "1,5", "1.5x", "0x10", "--1", "+-1", "++1", "+",
-                             "-", "e5", "1e", "1e999", "one", "1_000"}) {
-      QVERIFY2(!parseNumber(text), text);
-    }
-  }
-
-  void numbersIgnoreTheLocale() {
-    const std::string saved = std::setlocale(LC_ALL, nullptr);
-    bool found = false;
-    for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE"}) {
-      found = found || std::setlocale(LC_ALL, name) != nullptr;
-    }
-    EXPECT_NEAR(*parseNumber("1.5"), 1.5, 0.0);
-    QVERIFY(!parseNumber("1,5"));
-    QCOMPARE(formatNumber(1.5), std::string("1.5"));
-    std::setlocale(LC_ALL, saved.c_str());
-    if (!found) QSKIP("no locale with a decimal comma is installed");
-  }
-
-  void numbersAreWrittenShort() {
-    QCOMPARE(formatNumber(0.0), std::string("0"));
-    QCOMPARE(formatNumber(0.25), std::string("0.25"));
-    QCOMPARE(formatNumber(1.0 / 3.0, 4), std::string("0.3333"));
-    QCOMPARE(formatNumber(123456789.0), std::string("123456789"));
-    QCOMPARE(formatNumber(std::numeric_limits<double>::quiet_NaN()), std::string("nan"));
-    QCOMPARE(formatNumber(-std::numeric_limits<double>::infinity()), std::string("-inf"));
-  }
-
-  void writtenNumbersComeBack() {
-    Random random(1);
-    for (int i = 0; i < 2000; ++i) {
-      const double value =
-          std::ldexp(random.uniform(-1.0, 1.0), static_cast<int>(random.uniform(-300, 300)));
-      EXPECT_NEAR(*parseNumber(formatNumber(value)), value, 1e-8 * std::abs(value));
-      EXPECT_NEAR(*parseNumber(formatNumber(value, 17)), value, 0.0);
-    }
   }
 };
 

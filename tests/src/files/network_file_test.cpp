@@ -37,7 +37,7 @@ NetworkFile smallNetworks() {
 }
 
 // The small networks with a piece of text replaced.
-std::string changed(const std::string& from, const std::string& to) {
+std::string changedNetwork(const std::string& from, const std::string& to) {
   std::string text = networkText(smallNetworks());
   const auto at = text.find(from);
   if (at == std::string::npos) return "test is wrong: " + from;
@@ -117,40 +117,44 @@ class NetworkFileTest : public QObject {
     add("truncated", whole.substr(0, whole.size() / 2), "weights.json:");
     add("foreign", "{\"cutis_rig\": 1}", "\"cutis_network\": 1 is missing");
     add("a list", "[1, 2]", "one JSON object");
-    add("newer", changed("\"cutis_network\":1", "\"cutis_network\":2"), "a newer version");
-    add("unknown field", changed("\"rig\"", "\"ring\""), "unknown field 'ring'");
-    add("no rig", changed("\"rig\":\"mine\",", ""), "rig must be a text (it is missing)");
-    add("no networks", changed("\"chrom_nn\":{", "\"chrom_nn\":7,\"x\":{"), "unknown field 'x'");
-    add("wrong type", changed("\"profile\":[1,", "\"profile\":[true,"),
+    add("newer", changedNetwork("\"cutis_network\":1", "\"cutis_network\":2"), "a newer version");
+    add("unknown field", changedNetwork("\"rig\"", "\"ring\""), "unknown field 'ring'");
+    add("no rig", changedNetwork("\"rig\":\"mine\",", ""), "rig must be a text (it is missing)");
+    add("no networks", changedNetwork("\"chrom_nn\":{", "\"chrom_nn\":7,\"x\":{"),
+        "unknown field 'x'");
+    add("wrong type", changedNetwork("\"profile\":[1,", "\"profile\":[true,"),
         "spectra_nn.profile must be a list of 2 finite numbers");
-    add("huge layer", changed("\"inputs\":5,\"outputs\":4", "\"inputs\":5,\"outputs\":2000000000"),
+    add("huge layer",
+        changedNetwork("\"inputs\":5,\"outputs\":4", "\"inputs\":5,\"outputs\":2000000000"),
         "spectra_nn.layers[0].outputs must be a whole number from 1 to 512");
-    add("negative size", changed("\"inputs\":5", "\"inputs\":-5"), "from 1 to 512");
-    add("size of a fraction", changed("\"inputs\":5", "\"inputs\":5.5"), "inputs must be");
-    add("other size", changed("\"inputs\":5,\"outputs\":4", "\"inputs\":4,\"outputs\":4"),
+    add("negative size", changedNetwork("\"inputs\":5", "\"inputs\":-5"), "from 1 to 512");
+    add("size of a fraction", changedNetwork("\"inputs\":5", "\"inputs\":5.5"), "inputs must be");
+    add("other size", changedNetwork("\"inputs\":5,\"outputs\":4", "\"inputs\":4,\"outputs\":4"),
         "spectra_nn.layers[0].weights must be a list of 16 finite numbers");
-    add("a name missing", changed("[\"a\",\"b\",\"c\"]", "[\"a\",\"b\"]"),
+    add("a name missing", changedNetwork("[\"a\",\"b\",\"c\"]", "[\"a\",\"b\"]"),
         "as many inputs as it has channels");
-    add("a name that is none", changed("[\"a\",\"b\",", "[\"a\",7,"), "chrom_nn.inputs[1]");
-    add("no layers", changed("\"layers\":[", "\"layers\":[],\"x\":["), "spectra_nn");
-    add("not a number", changed("\"mean\":[0.25", "\"mean\":[NaN"), "not valid JSON");
-    add("a text for a number", changed("\"mean\":[0.25", "\"mean\":[\"0.25\""),
+    add("a name that is none", changedNetwork("[\"a\",\"b\",", "[\"a\",7,"), "chrom_nn.inputs[1]");
+    add("no layers", changedNetwork("\"layers\":[", "\"layers\":[],\"x\":["), "spectra_nn");
+    add("not a number", changedNetwork("\"mean\":[0.25", "\"mean\":[NaN"), "not valid JSON");
+    add("a text for a number", changedNetwork("\"mean\":[0.25", "\"mean\":[\"0.25\""),
         "spectra_nn.mean must be a list of 351 finite numbers");
-    add("null for a number", changed("\"mean\":[0.25", "\"mean\":[null"), "spectra_nn.mean");
-    add("infinite", changed("\"mean\":[0.25", "\"mean\":[1e999"), "weights.json");
-    add("too large", changed("\"bias\":[", "\"bias\":[1e300,"), "spectra_nn.layers[0].bias");
-    add("short mean", changed("\"mean\":[0.25,", "\"mean\":["), "351 finite numbers");
-    add("activation", changed("\"activation\":\"sigmoid\"", "\"activation\":\"tanh\""),
+    add("null for a number", changedNetwork("\"mean\":[0.25", "\"mean\":[null"), "spectra_nn.mean");
+    add("infinite", changedNetwork("\"mean\":[0.25", "\"mean\":[1e999"), "weights.json");
+    add("too large", changedNetwork("\"bias\":[", "\"bias\":[1e300,"), "spectra_nn.layers[0].bias");
+    add("short mean", changedNetwork("\"mean\":[0.25,", "\"mean\":["), "351 finite numbers");
+    add("activation", changedNetwork("\"activation\":\"sigmoid\"", "\"activation\":\"tanh\""),
         "activation must be linear, relu, sigmoid or squareplus");
-    add("no sigmoid", changed("\"activation\":\"sigmoid\"", "\"activation\":\"relu\""),
+    add("no sigmoid", changedNetwork("\"activation\":\"sigmoid\"", "\"activation\":\"relu\""),
         "does not end in a sigmoid");
-    add("axis", changed("\"exponent\":3", "\"exponent\":9"), "an axis");
-    add("profiles differ", changed("\"profile\":[1,", "\"profile\":[1.5,"),
+    add("axis", changedNetwork("\"exponent\":3", "\"exponent\":9"), "an axis");
+    add("profiles differ", changedNetwork("\"profile\":[1,", "\"profile\":[1.5,"),
         "are of different profiles");
-    add("noise", changed("\"noise\":[0.0", "\"noise\":[-1.0"), "noise must be two numbers from 0");
-    add("seed", changed("\"seed\":1", "\"seed\":-1"), "seed must be a whole number from 0");
-    add("hidden", changed("\"hidden\":[4]", "\"hidden\":[4000]"), "hidden[0] must be");
-    add("empty options", changed("\"hidden\":[4]", "\"hidden\":[]"), "hidden must be a list");
+    add("noise", changedNetwork("\"noise\":[0.0", "\"noise\":[-1.0"),
+        "noise must be two numbers from 0");
+    add("seed", changedNetwork("\"seed\":1", "\"seed\":-1"), "seed must be a whole number from 0");
+    add("hidden", changedNetwork("\"hidden\":[4]", "\"hidden\":[4000]"), "hidden[0] must be");
+    add("empty options", changedNetwork("\"hidden\":[4]", "\"hidden\":[]"),
+        "hidden must be a list");
   }
 
   void whatIsNoWeightsFileIsRefused() {
@@ -166,7 +170,7 @@ class NetworkFileTest : public QObject {
     std::string layers = "\"layers\":[";
     for (int i = 0; i < 20'000; ++i)
       layers += "{},";
-    EXPECT_ERROR(parseNetworks(changed("\"layers\":[", layers), "weights.json"),
+    EXPECT_ERROR(parseNetworks(changedNetwork("\"layers\":[", layers), "weights.json"),
                  "spectra_nn.layers must be a list of 1 to 16 layers");
   }
 

@@ -23,7 +23,8 @@ class PriorFileTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // INTERFACES.md, PRIOR.json: {"scale": "linear"|"log", "mean": {NAME: x}, "sd": {NAME: x}}.
+  // resources/manual/file_formats.md, prior: {"scale": "linear"|"log", "mean": {NAME: x},
+  // "sd": {NAME: x}}.
   void whatIsLeftOutStays() {
     const Prior& base = test::li2024().profile().prior;
     const auto prior =

@@ -30,7 +30,7 @@ std::string measured() {
   return readTextFile(kMeasured).value();
 }
 
-std::string changed(std::string text, const std::string& from, const std::string& to) {
+std::string changedProfile(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   if (at == std::string::npos) return "test is wrong: " + from;
   return text.replace(at, from.size(), to);
@@ -40,7 +40,7 @@ class ProfileFileTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // MODEL.md, parameters and constants.
+  // The parameters and constants of resources/manual/model.md.
   void li2024IsThePapersModel() {
     const Profile& profile = test::li2024().profile();
     QCOMPARE(profile.name, std::string("li2024"));
@@ -152,7 +152,7 @@ class ProfileFileTest : public QObject {
              {"\"scattering_ratio\"",
               "\"blood\": {\"oxygenation\": 0.75}, \"baseline_factor\": 1, "
               "\"fat_fraction\": 0, \"scattering_ratio\""}}) {
-      text = changed(text, from, to);
+      text = changedProfile(text, from, to);
     }
     const auto profile = parseProfile(text, "p.json");
     EXPECT_OK(profile);
@@ -162,9 +162,9 @@ class ProfileFileTest : public QObject {
   // Laws of its own that say what the ratio says: the same light.
   void dermalLawsReplaceTheRatio() {
     const auto profile = parseProfile(
-        changed(paper(), "\"scattering_ratio\": 0.5",
-                "\"mie_scattering\": {\"coefficient\": 7.37, \"exponent\": -0.22}, "
-                "\"rayleigh_scattering\": {\"coefficient\": 1.1e11, \"exponent\": -4}"),
+        changedProfile(paper(), "\"scattering_ratio\": 0.5",
+                       "\"mie_scattering\": {\"coefficient\": 7.37, \"exponent\": -0.22}, "
+                       "\"rayleigh_scattering\": {\"coefficient\": 1.1e11, \"exponent\": -4}"),
         "p.json");
     EXPECT_OK(profile);
     const SkinModel model(profile.value());
@@ -187,8 +187,8 @@ class ProfileFileTest : public QObject {
 
   void chromophoresLieBesideTheFile() {
     const test::ScratchFolder folder;
-    folder.write("sub/p.json", changed(paper(), "\"chromophores\": \"chromophores\"",
-                                       "\"chromophores\": \"pigments.csv\""));
+    folder.write("sub/p.json", changedProfile(paper(), "\"chromophores\": \"chromophores\"",
+                                              "\"chromophores\": \"pigments.csv\""));
     const auto missing = loadProfile((folder / "sub/p.json").string(), "t");
     EXPECT_ERROR(missing, (folder / "sub/pigments.csv").string());
     folder.write("sub/pigments.csv",
@@ -368,7 +368,7 @@ class ProfileFileTest : public QObject {
   void fingerprintsTellModelsApart() {
     const std::string original = fingerprint(test::li2024().profile());
     const auto of = [&](const char* from, const char* to) {
-      const auto profile = parseProfile(changed(paper(), from, to), "p.json");
+      const auto profile = parseProfile(changedProfile(paper(), from, to), "p.json");
       return profile ? fingerprint(profile.value()) : profile.error().text();
     };
     QVERIFY(of("\"thickness_mm\": 0.32", "\"thickness_mm\": 0.33") != original);
@@ -411,7 +411,7 @@ class ProfileFileTest : public QObject {
     QFETCH(QString, to);
     QFETCH(QString, message);
     const auto profile =
-        parseProfile(changed(text, from.toStdString(), to.toStdString()), "p.json");
+        parseProfile(changedProfile(text, from.toStdString(), to.toStdString()), "p.json");
     QVERIFY(profile.failed());
     QVERIFY2(profile.error().text().find(message.toStdString()) != std::string::npos,
              profile.error().text().c_str());

@@ -33,7 +33,7 @@ void writeStudio(const test::ScratchFolder& folder) {
   folder.write("studio/lamp.csv", "nm,power\n300,7\n1000,7\n");
 }
 
-std::string changed(std::string text, const std::string& from, const std::string& to) {
+std::string changedRig(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   if (at == std::string::npos) return "test is wrong: " + from;
   return text.replace(at, from.size(), to);
@@ -53,7 +53,8 @@ class RigFileTest : public QObject {
     EXPECT_OK(loadRig("monitor", "/nowhere", "--rig"));
   }
 
-  // INTERFACES.md: white = R+G+B, white+blue = ⅓, ⅓, 1, white+green = ⅓, 1, ⅓; Canon EOS R.
+  // resources/manual/file_formats.md: white = R+G+B, white+blue = ⅓, ⅓, 1, white+green = ⅓, 1, ⅓;
+  // Canon EOS R.
   void monitorIsAsDocumented() {
     const Rig& rig = test::monitorRig();
     const double third = 1.0 / 3.0;
@@ -102,12 +103,14 @@ class RigFileTest : public QObject {
     }
   }
 
-  // INTERFACES.md: built-in rigs assume 0.0001, 0.005; so does a file that says nothing.
+  // resources/manual/file_formats.md: built-in rigs assume 0.0001, 0.005; so does a file that
+  // says nothing.
   void noiseHasADefault() {
     const test::ScratchFolder folder;
     writeStudio(folder);
-    folder.write("studio/rig.json",
-                 changed(kStudio, ",\n  \"noise\": {\"read\": 0.001, \"proportional\": 0.02}", ""));
+    folder.write(
+        "studio/rig.json",
+        changedRig(kStudio, ",\n  \"noise\": {\"read\": 0.001, \"proportional\": 0.02}", ""));
     const auto rig = loadRig((folder / "studio/rig.json").string(), {}, "t");
     EXPECT_OK(rig);
     EXPECT_NEAR(rig.value().noise.read, 0.0001, 0.0);
@@ -168,7 +171,7 @@ class RigFileTest : public QObject {
     const test::ScratchFolder folder;
     writeStudio(folder);
     const auto path =
-        folder.write("studio/rig.json", changed(kStudio, from.toStdString(), to.toStdString()));
+        folder.write("studio/rig.json", changedRig(kStudio, from.toStdString(), to.toStdString()));
     const auto rig = loadRig(path.string(), {}, "--rig");
     QVERIFY(rig.failed());
     QVERIFY2(rig.error().text().find(message.toStdString()) != std::string::npos,

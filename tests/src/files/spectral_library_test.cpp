@@ -20,7 +20,7 @@ class SpectralLibraryTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // INTERFACES.md: stems of the library without `cie_`.
+  // resources/manual/file_formats.md: stems of the library without `cie_`.
   void namesAreTheDocumentedOnes() {
     for (const char* name : {"D65", "A", "FL2", "LED_B3", "E"})
       QVERIFY2(has(lightNames(), name), name);

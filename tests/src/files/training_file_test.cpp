@@ -32,7 +32,7 @@ TrainingFile someTraining() {
   return {"train --rig \"mine\"", "0123", {someState(1), someState(5)}};
 }
 
-std::string changed(const std::string& from, const std::string& to) {
+std::string changedTraining(const std::string& from, const std::string& to) {
   std::string text = trainingText(someTraining());
   const auto at = text.find(from);
   if (at == std::string::npos) return "test is wrong: " + from;
@@ -70,18 +70,26 @@ class TrainingFileTest : public QObject {
     };
     add("truncated", whole.substr(0, whole.size() / 2), "state.json:");
     add("foreign", "{\"cutis_network\": 1}", "\"cutis_training\": 1 is missing");
-    add("newer", changed("\"cutis_training\":1", "\"cutis_training\":2"), "a newer version");
-    add("unknown field", changed("\"best\":", "\"worst\":"), "unknown field 'spectra_nn.worst'");
-    add("steps", changed("\"steps\":20", "\"steps\":-20"), "steps must be a whole number from 1");
-    add("half a step", changed("\"steps\":20", "\"steps\":2.5"), "steps must be");
-    add("best epoch", changed("\"best_epoch\":1", "\"best_epoch\":0"), "best_epoch must be");
-    add("best error", changed("\"best_error\":2e-09", "\"best_error\":null"), "best_error must be");
-    add("short epoch", changed("\"curve\":[[0.1,", "\"curve\":[["), "curve[0] must be a list of 3");
-    add("no epochs", changed("\"curve\":[[", "\"curve\":[],\"x\":[["),
+    add("newer", changedTraining("\"cutis_training\":1", "\"cutis_training\":2"),
+        "a newer version");
+    add("unknown field", changedTraining("\"best\":", "\"worst\":"),
+        "unknown field 'spectra_nn.worst'");
+    add("steps", changedTraining("\"steps\":20", "\"steps\":-20"),
+        "steps must be a whole number from 1");
+    add("half a step", changedTraining("\"steps\":20", "\"steps\":2.5"), "steps must be");
+    add("best epoch", changedTraining("\"best_epoch\":1", "\"best_epoch\":0"),
+        "best_epoch must be");
+    add("best error", changedTraining("\"best_error\":2e-09", "\"best_error\":null"),
+        "best_error must be");
+    add("short epoch", changedTraining("\"curve\":[[0.1,", "\"curve\":[["),
+        "curve[0] must be a list of 3");
+    add("no epochs", changedTraining("\"curve\":[[", "\"curve\":[],\"x\":[["),
         "unknown field 'spectra_nn.x'");
-    add("huge layer", changed("\"outputs\":3", "\"outputs\":2000000000"), "from 1 to 512");
-    add("layers", changed("\"inputs\":3,\"outputs\":1", "\"inputs\":1,\"outputs\":3"), "network");
-    add("moment", changed("\"first_moment\":[", "\"first_moment\":[1e300,"), "first_moment");
+    add("huge layer", changedTraining("\"outputs\":3", "\"outputs\":2000000000"), "from 1 to 512");
+    add("layers", changedTraining("\"inputs\":3,\"outputs\":1", "\"inputs\":1,\"outputs\":3"),
+        "network");
+    add("moment", changedTraining("\"first_moment\":[", "\"first_moment\":[1e300,"),
+        "first_moment");
   }
   void whatIsNoStateIsRefused() {
     QFETCH(QString, text);

@@ -121,15 +121,6 @@ class AlbedoFileTest : public QObject {
                 {decodeSrgb(0.6f), decodeSrgb(0.35f), decodeSrgb(0.2f)}, 1e-6);
   }
 
-  void exposureScalesTheLinearValues() {
-    const Albedo albedo =
-        written("dark.exr", flat({0.3f, 0.2f, 0.1f}), SampleType::float32, {.exposure = 1.7});
-    expectColor(albedo, {0.51, 0.34, 0.17}, 1e-6);
-    for (const double exposure : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
-      EXPECT_ERROR(read(folder_.path("dark.exr"), {.exposure = exposure}), "--exposure");
-    }
-  }
-
   void statesFollowThePixels() {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     // solved, NaN, black, blue so pure that X or Y is negative, alpha 0, alpha small

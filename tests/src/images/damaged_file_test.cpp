@@ -35,7 +35,7 @@ class DamagedFileTest : public QObject {
   }
 
   static Result<Image> read(const std::filesystem::path& path) {
-    return readImage(path, PixelFormat::float32, nullptr, {});
+    return readImage(path, {PixelFormat::float32}, nullptr, {});
   }
 
   // Whatever the outcome: one sentence that names the file.

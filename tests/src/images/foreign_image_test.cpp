@@ -17,7 +17,7 @@ using test::makeContent;
 using test::pixelOf;
 
 Result<Image> read(const std::filesystem::path& path) {
-  return readImage(path, PixelFormat::float32, nullptr, {});
+  return readImage(path, {PixelFormat::float32}, nullptr, {});
 }
 
 class ForeignImageTest : public QObject {

@@ -22,7 +22,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 Result<Image> read(const std::filesystem::path& path, const JobContext& context = {}) {
-  return readImage(path, PixelFormat::float32, nullptr, context);
+  return readImage(path, {PixelFormat::float32}, nullptr, context);
 }
 
 float largestDifference(const Plane& a, const Plane& b) {
@@ -301,7 +301,7 @@ class ImageFileTest : public QObject {
     const ImageContent content = makeContent(600, 600, {"R", "G", "B"});
     EXPECT_OK(writeImage(folder_.path("spill.exr"), content, SampleType::half, {}));
     const auto store = std::make_shared<TileStore>(std::size_t{1} << 18);
-    const auto image = readImage(folder_.path("spill.exr"), PixelFormat::half, store, {});
+    const auto image = readImage(folder_.path("spill.exr"), {PixelFormat::half}, store, {});
     EXPECT_OK(image);
     QVERIFY(image.value().channels[0].format() == PixelFormat::half);
     QVERIFY(store->statistics().tilesWritten > 0);

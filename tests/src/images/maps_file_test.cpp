@@ -305,7 +305,7 @@ class MapsFileTest : public QObject {
     const auto content = test::makeContent(8, 8, {"R", "G", "B"});
     EXPECT_OK(writeImage(folder_.path("photo.exr"), content, SampleType::half, {}));
     EXPECT_ERROR(read(folder_.path("photo.exr")),
-                 "this is not a Cutis maps file; fit an image first with cutis-cli fit");
+                 "this is not a Cutis maps file; fit an image first");
     QVERIFY(!isMapsFile(folder_.path("photo.exr")));
     EXPECT_OK(writeImage(folder_.path("photo.png"), content, SampleType::uint8, {}));
     EXPECT_ERROR(read(folder_.path("photo.png")), "not a Cutis maps file but a PNG image");
@@ -355,6 +355,12 @@ class MapsFileTest : public QObject {
     bytes.replace("[{\"file\":", "[[\"file\":");
     test::writeBytes(folder_.path("odd.exr"), bytes);
     EXPECT_ERROR(read(folder_.path("odd.exr")), "cutis:sources");
+  }
+
+  // As for other images, the case of the extension says nothing.
+  void theExtensionMayBeInCapitals() {
+    EXPECT_OK(writeMaps(folder_.path("MAPS.EXR"), makeMaps(false), {}));
+    QVERIFY(isMapsFile(folder_.path("MAPS.EXR")));
   }
 
   void onlyOpenExrIsWritten() {

@@ -78,7 +78,7 @@ class SafeWriteTest : public QObject {
                      profile.constData());
     }
     test::writeForeign(folder_.path("camera.jpg"), "jpeg", spec, test::noise(16 * 16 * 3));
-    return readImage(folder_.path("camera.jpg"), PixelFormat::float32, nullptr, {}).value();
+    return readImage(folder_.path("camera.jpg"), {PixelFormat::float32}, nullptr, {}).value();
   }
 
   static ImageContent contentOf(const Image& image) {
@@ -285,13 +285,13 @@ class SafeWriteTest : public QObject {
     spec.attribute(std::string(79, 'n'), "long name");
     spec.attribute("big", std::string(1 << 20, 'v'));
     test::writeForeign(folder_.path("hostile.png"), "png", spec, test::noise(8 * 8 * 3));
-    const auto image = readImage(folder_.path("hostile.png"), PixelFormat::float32, nullptr, {});
+    const auto image = readImage(folder_.path("hostile.png"), {PixelFormat::float32}, nullptr, {});
     EXPECT_OK(image);
     for (const auto& [file, type] :
          {std::pair{"out.exr", SampleType::half}, std::pair{"out.tif", SampleType::uint8},
           std::pair{"out.png", SampleType::uint8}, std::pair{"out.jpg", SampleType::uint8}}) {
       EXPECT_OK(writeImage(folder_.path(file), contentOf(image.value()), type, {}));
-      EXPECT_OK(readImage(folder_.path(file), PixelFormat::float32, nullptr, {}));
+      EXPECT_OK(readImage(folder_.path(file), {PixelFormat::float32}, nullptr, {}));
     }
     MapsFile maps;
     maps.maps = ChromophoreMaps(8, 8);

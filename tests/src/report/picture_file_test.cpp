@@ -14,10 +14,12 @@
 namespace cutis::test {
 namespace {
 
-Drawing drawingOf(const std::string& words) {
-  Drawing drawing(120.0, 40.0, "", "");
-  drawing.rectangle({0.0, 0.0, 120.0, 40.0}, "#ffffff", {"none", 0.0, ""});
-  drawing.text({60.0, 26.0}, words, {20.0, "#000000", false}, Anchor::middle);
+Drawing smallDrawing(const std::string& words) {
+  Drawing drawing;
+  drawing.width = 120.0;
+  drawing.height = 40.0;
+  drawing.add(Rectangle{{0.0, 0.0, 120.0, 40.0}, Color::rgb(0xffffff), kNoStroke, 0.0});
+  drawing.add(Text{{60.0, 26.0}, words, {20.0, Color::rgb(0), false}, Anchor::middle});
   return drawing;
 }
 
@@ -54,7 +56,7 @@ class PictureFileTest : public QObject {
   }
 
   void svgNamesFontsThatViewersHave() {
-    EXPECT_OK(writeDrawing(folder_ / "a.svg", drawingOf("words")));
+    EXPECT_OK(writeDrawing(folder_ / "a.svg", smallDrawing("words")));
     const std::string svg = folder_.read("a.svg");
     QVERIFY(svg.starts_with("<svg") && svg.ends_with("</svg>\n"));
     QVERIFY(svg.find("sans-serif") != std::string::npos);
@@ -68,14 +70,14 @@ class PictureFileTest : public QObject {
     }
     EXPECT_OK(checkDrawingOutput(folder_ / "a.png"));
     EXPECT_OK(checkDrawingOutput(folder_ / "a.svg"));
-    const Status nowhere = writeDrawing(folder_ / "none/a.png", drawingOf("words"));
+    const Status nowhere = writeDrawing(folder_ / "none/a.png", smallDrawing("words"));
     QVERIFY(nowhere.failed() && nowhere.error().kind == ErrorKind::resource);
   }
 
  private:
   QImage pngOf(const std::string& words) {
     const auto path = folder_ / "a.png";
-    const Status status = writeDrawing(path, drawingOf(words));
+    const Status status = writeDrawing(path, smallDrawing(words));
     if (!status) return {};
     return QImage(QString::fromStdString(path.string()));
   }

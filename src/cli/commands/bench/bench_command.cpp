@@ -1,24 +1,27 @@
 // bench: the error protocol, and time and memory of whole pictures.
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "core/base/instruction_set.h"
+#include "src/bench/error_study.h"
+#include "src/bench/network_study.h"
+#include "src/bench/picture_study.h"
+#include "src/bench/start_study.h"
+#include "src/bench/variant_study.h"
 #include "src/cli/command.h"
-#include "src/cli/commands/bench/bench_networks.h"
-#include "src/cli/commands/bench/bench_pictures.h"
 #include "src/cli/commands/bench/bench_plot.h"
 #include "src/cli/commands/bench/bench_report.h"
 #include "src/cli/commands/bench/bench_table.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/cli/output_check.h"
+#include "src/cli/standard_output.h"
 #include "src/files/io/platform.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/rig_file.h"
-#include "src/files/spectral_library.h"
 #include "src/report/picture_file.h"
 
 namespace cutis {
@@ -59,32 +62,9 @@ Status checkOutputs(const BenchCommand& command) {
   return checkDrawingOutput(command.plot);
 }
 
-// The protocol's people must be skin of the profile.
-Status checkRanges(const Profile& profile) {
-  const ParameterBox box = protocolPopulation();
-  for (const Parameter parameter : kParameters) {
-    if (box.high[parameter] > profile.axes[static_cast<std::size_t>(parameter)].maximum) {
-      return inputError(profile.name, "the range of " + std::string(parameterName(parameter)) +
-                                          " does not hold the population of the error protocol; "
-                                          "use another profile");
-    }
-  }
-  return {};
-}
-
-Result<std::shared_ptr<const ErrorMeter>> makeMeter(const SkinModel& model) {
-  CUTIS_TRY(d65, loadLight({"D65", {}, {}}));
-  CUTIS_TRY(a, loadLight({"A", {}, {}}));
-  CUTIS_TRY(observer, loadCamera({"cie1931", {}, {}}));
-  return std::make_shared<const ErrorMeter>(model, d65, a, observer.sensor);
-}
-
 Status print(const std::string& text, const Session& session) {
   session.clearProgress();
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
-    return {};
-  }
-  return resourceError("standard output", "the tables could not be written");
+  return printText(text, kTablesLost);
 }
 
 // A part of the run, and what is printed once its figures are there.
@@ -95,10 +75,10 @@ struct Part {
   std::string (*tables)(const BenchFigures&);
 };
 
-std::vector<Part> partsOf(const BenchSubject& subject, const Extent& extent, Session& session,
-                          BenchSolvers& solvers, BenchFigures& figures) {
+std::vector<Part> partsOf(const BenchSubject& subject, const Extent& extent, MethodSolvers& solvers,
+                          const JobContext& whole, BenchFigures& figures) {
   const PictureSeries& pictures = extent.pictures;
-  const JobContext silent = {session.context.stop, {}, {}};
+  const JobContext silent = {whole.stop, {}, {}};
   return {
       {0.02, "bounds",
        [&, silent](const JobContext&) { return runBounds(subject, silent, figures); }, boundTables},
@@ -111,16 +91,13 @@ std::vector<Part> partsOf(const BenchSubject& subject, const Extent& extent, Ses
        [&](const JobContext& context) { return runMethods(subject, solvers, context, figures); },
        methodTables},
       {0.52, "errors on the sample",
-       [&](const JobContext& context) {
-         return runSample(subject, session, solvers, context, figures);
-       },
+       [&](const JobContext& context) { return runSample(subject, solvers, context, figures); },
        sampleTable},
       {0.54, "coverage",
        [&, silent](const JobContext&) { return runCoverage(subject, solvers, silent, figures); },
        coverageTables},
       {0.57, "lights",
-       [&, silent](const JobContext&) { return runLights(subject, session, silent, figures); },
-       lightTable},
+       [&, silent](const JobContext&) { return runLights(subject, silent, figures); }, lightTable},
       {0.59, "parameters",
        [&, silent](const JobContext&) { return runParameters(subject, solvers, silent, figures); },
        parameterTable},
@@ -132,12 +109,12 @@ std::vector<Part> partsOf(const BenchSubject& subject, const Extent& extent, Ses
        encodingTable},
       {0.94, "pictures by size",
        [&, pictures](const JobContext& context) {
-         return runSizes(subject, pictures, session, solvers, context, figures);
+         return runSizes(subject, pictures, solvers, context, figures);
        },
        sizeTable},
       {1.0, "pictures by threads",
        [&, pictures](const JobContext& context) {
-         return runScaling(subject, pictures, session, solvers, context, figures);
+         return runScaling(subject, pictures, solvers, context, figures);
        },
        scalingTable},
   };
@@ -152,12 +129,18 @@ Status runBenchCommand(const BenchCommand& command, Session& session) {
   CUTIS_CHECK(checkOutputs(command));
   const std::string profile = command.profile.empty() ? kPaperProfile : command.profile;
   CUTIS_TRY(model, session.engine.model(profile, "--profile"));
-  CUTIS_CHECK(checkRanges(model->profile()));
+  CUTIS_CHECK(checkHoldsProtocol(model->profile()));
   CUTIS_TRY(rig, loadRig(kRig, {}, "--rig"));
-  CUTIS_TRY(meter, makeMeter(*model));
+  CUTIS_TRY(meter, protocolMeter(*model));
   const auto pixels = static_cast<std::size_t>(extent.pixels);
-  const BenchSubject subject = {
-      model, rig, meter, pixels, std::min(pixels, extent.subsample), extent.timingSeconds};
+  const BenchSubject subject = {session.engine,
+                                session.store,
+                                model,
+                                rig,
+                                meter,
+                                pixels,
+                                std::min(pixels, extent.subsample),
+                                extent.timingSeconds};
 
   BenchFigures figures;
   figures.version = CUTIS_VERSION;
@@ -169,10 +152,10 @@ Status runBenchCommand(const BenchCommand& command, Session& session) {
   figures.pixels = subject.pixels;
   figures.subsample = subject.subsample;
   figures.quick = command.quick;
-  BenchSolvers solvers(session, model, rig);
+  MethodSolvers solvers(session.engine, model, rig, session.context);
   CUTIS_CHECK(print(benchHeader(figures), session));
   double from = 0.0;
-  for (const Part& part : partsOf(subject, extent, session, solvers, figures)) {
+  for (const Part& part : partsOf(subject, extent, solvers, session.context, figures)) {
     const JobContext context = session.context.child(from, part.until, part.name);
     context.progress.report(0.0);
     CUTIS_CHECK(part.run(context));
@@ -195,23 +178,14 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
                  runBenchCommand);
   command.add_flag("--quick", options->quick,
                    "Fewer pixels and smaller pictures: less than a minute on two cores");
-  command
-      .add_option("--pixels", options->pixels,
-                  "Pixels to judge errors by, from 100 (default: 20000, quick: 4000); at most 2000 "
-                  "of them, quick: 400, for the exhaustive searches")
-      ->type_name("N");
-  command
-      .add_option("--profile", options->profile,
-                  "Skin model: a built-in name or a JSON file (default: li2024)")
-      ->type_name("NAME|FILE");
-  command.add_option("--report", options->report, "JSON file to write with all figures")
-      ->type_name("FILE");
-  command
-      .add_option(
-          "--plot", options->plot,
-          "Picture to write of run time against error, with the paper's figures, and of time and "
-          "memory against pixels and threads: SVG or PNG, by the name's ending")
-      ->type_name("FILE.svg|FILE.png");
+  addOption(command, "--pixels", options->pixels, "N",
+            "Pixels to judge errors by, from 100 (default: 20000, quick: 4000); at most 2000 "
+            "of them, quick: 400, for the exhaustive searches");
+  addProfileOption(command, options->profile, kPaperProfile);
+  addOption(command, "--report", options->report, "FILE", "JSON file to write with all figures");
+  addOption(command, "--plot", options->plot, "FILE.svg|FILE.png",
+            "Picture to write of run time against error, with the paper's figures, and of time and "
+            "memory against pixels and threads: SVG or PNG, by the name's ending");
 }
 
 }  // namespace cutis

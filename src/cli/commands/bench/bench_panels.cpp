@@ -6,34 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/plot_style.h"
-#include "src/files/io/csv.h"
-#include "src/report/scale.h"
+#include "core/base/number_text.h"
 
 namespace cutis {
 namespace {
 
-using namespace plot_style;
-
-constexpr double kMarker = 3.6;
-constexpr double kTickRoom = 46.0;     // for numbers left of a panel
-constexpr double kTitleRoom = 44.0;    // for the row's heading and the panels' titles
-constexpr double kFootRoom = 38.0;     // for numbers and title of the axis across
-constexpr double kMarginShare = 0.08;  // of a panel, left and right of its points
+constexpr double kPanelHeight = 150.0;
+constexpr double kMarker = 4.3;
+constexpr double kMarginFactor = 1.12;  // between the outermost points and the sides
+constexpr int kSteps = 5;
 constexpr std::array<const char*, 2> kContents = {"uncorrelated", "sample"};
 
 struct Series {
-  bool filled = true;
   std::vector<double> x;
   std::vector<double> y;  // of values above 0
-};
-
-struct Panel {
-  const char* title;
-  const char* across;
-  bool logarithmic;  // upwards; across always is
-  bool isSquare;     // numbers across are the side of a square
-  std::vector<Series> series;
 };
 
 // The pictures as one series for each content; value: what is shown of them, 0 for nothing.
@@ -43,7 +29,6 @@ std::vector<Series> seriesOf(const std::vector<PictureFigures>& pictures, const 
   std::vector<Series> all;
   for (const char* content : kContents) {
     Series series;
-    series.filled = all.empty();
     for (const PictureFigures& row : pictures) {
       if (row.method != BenchMethod::refinedWide || row.content != content || row.scaled) continue;
       const double up = value(row);
@@ -51,7 +36,7 @@ std::vector<Series> seriesOf(const std::vector<PictureFigures>& pictures, const 
       series.x.push_back(across(row));
       series.y.push_back(up);
     }
-    all.push_back(series);
+    all.push_back(std::move(series));
   }
   return all;
 }
@@ -69,6 +54,7 @@ double megabytesOf(const PictureFigures& row) {
   return row.memoryBytes ? static_cast<double>(*row.memoryBytes) / 0x1p20 : 0.0;
 }
 
+// Both 0 where there are no values.
 struct Range {
   double least = 0.0, most = 0.0;
 };
@@ -94,91 +80,108 @@ std::vector<double> valuesAcross(const std::vector<Series>& all) {
   return values;
 }
 
+Stroke strokeOf(bool first) {
+  return {printTheme().series.orange, 1.4, first ? 0.0 : 4.0, first ? 0.0 : 3.0};
+}
+Marker markerOf(bool first) {
+  return {printTheme().series.orange, kMarker, first};
+}
+Stroke idealStroke() {
+  return {printTheme().series.grey, 1.2, 3.0, 3.0};
+}
+
 // As fast as one thread times their number.
-void drawIdeal(Drawing& drawing, const Series& series, const Scale& x, const Scale& y) {
+Curve idealCurve(const Series& series) {
   constexpr int steps = 24;
-  std::vector<Point> points;
+  Curve curve;
+  curve.stroke = idealStroke();
   for (int i = 0; i <= steps; ++i) {
     const double threads =
         series.x.front() * std::pow(series.x.back() / series.x.front(), 1.0 * i / steps);
-    points.push_back({x.at(threads), y.at(series.y.front() * series.x.front() / threads)});
+    curve.x.push_back(threads);
+    curve.y.push_back(series.y.front() * series.x.front() / threads);
   }
-  drawing.polyline(points, {kFrameColor, 1.2, "3 3"});
+  return curve;
 }
 
-void drawSeries(Drawing& drawing, const Series& series, const Scale& x, const Scale& y) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < series.x.size(); ++i)
-    points.push_back({x.at(series.x[i]), y.at(series.y[i])});
-  drawing.polyline(points, {kRefined, 1.4, series.filled ? "" : "4 3"});
-  for (const Point& point : points)
-    drawing.disc(point, kMarker, series.filled ? kRefined : kGround, {kRefined, 1.4, ""});
+std::string squareWords(double pixels) {
+  return formatNumber(std::sqrt(pixels), 6) + "²";
+}
+std::string countWords(double count) {
+  return formatNumber(count, 6);
 }
 
-void drawPanel(Drawing& drawing, const Box& area, const Panel& panel) {
-  drawing.text({area.left, area.top - 10.0}, panel.title, kLabel, Anchor::start);
-  const Range up = rangeOf(panel.series, &Series::y), over = rangeOf(panel.series, &Series::x);
-  if (up.most == 0.0) {
-    drawing.text({area.left, area.top + 20.0}, "not told by this system", kTick, Anchor::start);
-    return;
-  }
-  const auto ticks = panel.logarithmic ? logarithmicTicks(up.least, up.most) : linearTicks(up.most);
-  const Scale y = {ticks.front(), ticks.back(), area.bottom, area.top, panel.logarithmic};
-  const double margin = kMarginShare * (area.right - area.left);
-  const Scale x = {over.least, over.most > over.least ? over.most : 2.0 * over.least,
-                   area.left + margin, area.right - margin, true};
-  for (const double tick : ticks) {
-    drawing.line({area.left, y.at(tick)}, {area.right, y.at(tick)}, kGrid);
-    drawing.text({area.left - 6.0, y.at(tick) + 4.0}, formatNumber(tick, 3), kTick, Anchor::end);
-  }
-  for (const double value : valuesAcross(panel.series)) {
-    drawing.line({x.at(value), area.bottom}, {x.at(value), area.bottom + 4.0}, kFrame);
-    const std::string words =
-        panel.isSquare ? formatNumber(std::sqrt(value), 6) + "²" : formatNumber(value, 6);
-    drawing.text({x.at(value), area.bottom + 17.0}, words, kTick, Anchor::middle);
-  }
-  drawing.line({area.left, area.bottom}, {area.right, area.bottom}, kFrame);
-  drawing.text({0.5 * (area.left + area.right), area.bottom + 34.0}, panel.across, kTick,
-               Anchor::middle);
-  const Series& first = panel.series.front();
-  if (!panel.logarithmic && panel.title[0] == 'T' && first.x.size() > 1)
-    drawIdeal(drawing, first, x, y);
-  for (const Series& series : panel.series)
-    drawSeries(drawing, series, x, y);
+// Logarithmic, with a number at every value there is.
+Axis axisAcross(const std::vector<Series>& all, std::string (*words)(double)) {
+  const Range range = rangeOf(all, &Series::x);
+  Axis axis;
+  axis.logarithmic = true;
+  axis.hasGrid = false;
+  axis.from = range.least / kMarginFactor;
+  axis.to = (range.most > range.least ? range.most : 2.0 * range.least) * kMarginFactor;
+  for (const double value : valuesAcross(all))
+    axis.ticks.push_back({value, words(value), {}, false});
+  return axis;
 }
 
-double drawKey(Drawing& drawing, double x, double y, bool filled, const char* words) {
-  drawing.line({x, y - 4.0}, {x + 20.0, y - 4.0}, {kRefined, 1.4, filled ? "" : "4 3"});
-  drawing.disc({x + 10.0, y - 4.0}, kMarker, filled ? kRefined : kGround, {kRefined, 1.4, ""});
-  drawing.text({x + 26.0, y}, words, kLabel, Anchor::start);
-  return x + 26.0 + textWidth(words, kLabel.size) + 18.0;
+Panel panelOf(const char* title, const std::vector<Series>& all, const Axis& across) {
+  Panel panel;
+  panel.title = title;
+  panel.x = across;
+  if (rangeOf(all, &Series::y).most == 0.0) {
+    panel.message = "unknown on this system";
+    return panel;
+  }
+  for (const Series& series : all) {
+    const bool first = &series == &all.front();
+    panel.curves.push_back({series.x, series.y, strokeOf(first), markerOf(first)});
+  }
+  return panel;
+}
+
+template <typename Value>
+Panel panelBySize(const BenchFigures& figures, const char* title, const Value& value) {
+  const auto all = seriesOf(figures.sizes, pixelsOf, value);
+  Axis across = axisAcross(all, squareWords);
+  across.title = "pixels";
+  Panel panel = panelOf(title, all, across);
+  const Range up = rangeOf(all, &Series::y);
+  if (up.most == 0.0) return panel;
+  const auto [from, to] = roundEnds(up.least, up.most);
+  panel.y = logarithmicAxis(from, to);
+  return panel;
+}
+
+template <typename Value>
+Panel panelByThreads(const BenchFigures& figures, const char* title, const Value& value) {
+  const auto all = seriesOf(figures.scaling, threadsOf, value);
+  Axis across = axisAcross(all, countWords);
+  across.title = "threads";
+  Panel panel = panelOf(title, all, across);
+  const Range up = rangeOf(all, &Series::y);
+  if (up.most > 0.0) panel.y = linearAxis(0.0, niceCeiling(up.most, kSteps), kSteps);
+  return panel;
 }
 
 }  // namespace
 
-void drawPicturePanels(Drawing& drawing, const Box& area, const BenchFigures& figures) {
-  const std::array<Panel, 4> panels = {{
-      {"Time, s", "pixels", true, true, seriesOf(figures.sizes, pixelsOf, secondsOf)},
-      {"Memory, MB", "pixels", true, true, seriesOf(figures.sizes, pixelsOf, megabytesOf)},
-      {"Time, s", "threads", false, false, seriesOf(figures.scaling, threadsOf, secondsOf)},
-      {"Memory, MB", "threads", false, false, seriesOf(figures.scaling, threadsOf, megabytesOf)},
-  }};
-  const char* title = "Time and memory of the refined fit";
-  drawing.text({area.left, area.top + 12.0}, title, kSubheading, Anchor::start);
-  double x = area.left + 1.15 * textWidth(title, kSubheading.size) + 26.0;
-  const double y = area.top + 12.0;
-  x = drawKey(drawing, x, y, true, "uncorrelated pixels");
-  x = drawKey(drawing, x, y, false, "the sample");
-  drawing.line({x, y - 4.0}, {x + 20.0, y - 4.0}, {kFrameColor, 1.2, "3 3"});
-  drawing.text({x + 26.0, y}, "ideal", kLabel, Anchor::start);
-  const double wide = (area.right - area.left + 14.0) / static_cast<double>(panels.size());
-  for (std::size_t i = 0; i < panels.size(); ++i) {
-    const double left = area.left + wide * static_cast<double>(i);
-    drawPanel(
-        drawing,
-        {left + kTickRoom, area.top + kTitleRoom, left + wide - 14.0, area.bottom - kFootRoom},
-        panels[i]);
+PanelRow pictureRow(const BenchFigures& figures) {
+  PanelRow row;
+  row.title = "Time and memory of the refined fit";
+  row.height = kPanelHeight;
+  row.legend = {{"uncorrelated pixels", strokeOf(true), markerOf(true)},
+                {"the sample", strokeOf(false), markerOf(false)},
+                {"ideal", idealStroke(), {}}};
+  row.panels = {panelBySize(figures, "Time, s", secondsOf),
+                panelBySize(figures, "Memory, MB", megabytesOf),
+                panelByThreads(figures, "Time, s", secondsOf),
+                panelByThreads(figures, "Memory, MB", megabytesOf)};
+  const Series times = seriesOf(figures.scaling, threadsOf, secondsOf).front();
+  if (times.x.size() > 1) {
+    auto& curves = row.panels[2].curves;
+    curves.insert(curves.begin(), idealCurve(times));
   }
+  return row;
 }
 
 }  // namespace cutis

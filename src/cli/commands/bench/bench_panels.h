@@ -1,12 +1,12 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/bench
 
-#include "src/cli/commands/bench/bench_figures.h"
-#include "src/report/drawing.h"
+#include "src/bench/figures.h"
+#include "src/report/plot/page.h"
 
 namespace cutis {
 
-// Time and memory of the refined fit against pixels and against threads, side by side in `area`.
-// Says so where there is nothing to show.
-void drawPicturePanels(Drawing& drawing, const Box& area, const BenchFigures& figures);
+// Time and memory of the refined fit against pixels and against threads, side by side. Says so
+// where there is nothing to show.
+PanelRow pictureRow(const BenchFigures& figures);
 
 }  // namespace cutis

@@ -6,41 +6,31 @@
 #include <string>
 #include <vector>
 
-#include "src/cli/commands/bench/bench_errors.h"
+#include "core/base/number_text.h"
 #include "src/cli/commands/bench/bench_panels.h"
 #include "src/cli/commands/bench/bench_remarks.h"
-#include "src/cli/plot_style.h"
-#include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
-#include "src/report/label_placement.h"
-#include "src/report/scale.h"
+#include "src/report/plot/page.h"
 
 namespace cutis {
 namespace {
 
-using namespace plot_style;
+constexpr double kPanelHeight = 332.0;
+constexpr double kMarker = 6.4;
+constexpr double kRoom = 1.6;  // factor between the outermost points and the edges, at least
 
-constexpr double kWidth = 920.0;
-constexpr Box kPlot = {78.0, 104.0, 896.0, 436.0};
-constexpr Box kPanels = {24.0, 504.0, 896.0, 738.0};
-constexpr double kDisc = 5.5;
-constexpr double kSquare = 5.0;  // half of its side
-constexpr double kRoom = 1.6;    // factor between the outermost points and the edges, at least
-
-constexpr double kNotesTop = kPanels.bottom + 26.0, kNoteLine = 15.0;
-
-struct PlotPoint {
+struct MethodPoint {
   std::string label;
   double seconds;
   double error;
   bool published;
   bool noisy;
-  const char* color;
+  Color color;
 };
 
-const char* colorOf(BenchMethod method) {
-  if (method == BenchMethod::network) return kNetwork;
-  return isRefined(method) ? kRefined : kSearch;
+Color colorOf(BenchMethod method) {
+  const SeriesColors& colors = printTheme().series;
+  if (method == BenchMethod::network) return colors.purple;
+  return isRefined(method) ? colors.orange : colors.grey;
 }
 
 // With noise: what is made for it. Without: what is not, and what the paper published as such.
@@ -49,8 +39,8 @@ bool isDrawnAt(BenchMethod method, bool noisy) {
   return noisy == (isRefined(method) && method != BenchMethod::refinedExact);
 }
 
-std::vector<PlotPoint> pointsOf(const BenchFigures& figures) {
-  std::vector<PlotPoint> points;
+std::vector<MethodPoint> pointsOf(const BenchFigures& figures) {
+  std::vector<MethodPoint> points;
   for (const BenchMethod method : kBenchMethods) {
     const auto seconds = usualSeconds(figures, method);
     for (const bool noisy : {true, false}) {
@@ -62,7 +52,7 @@ std::vector<PlotPoint> pointsOf(const BenchFigures& figures) {
   }
   for (const PublishedFigures& row : kPublished) {
     points.push_back({"paper: " + std::string(row.method), row.secondsFor2048, row.visibleMse, true,
-                      false, kPaper});
+                      false, printTheme().series.blue});
   }
   return points;
 }
@@ -74,135 +64,70 @@ std::optional<double> boundOf(const BenchFigures& figures) {
   return {};
 }
 
+Level boundLevel(double bound) {
+  const Color color = printTheme().series.green;
+  return {bound, {color, 1.6, 7.0, 4.0}, "Bayesian Cramér–Rao bound at 0.5 % noise"};
+}
+
 // Whole decades with some room around the points.
-Scale decades(const std::vector<PlotPoint>& points, double PlotPoint::*value, double begin,
-              double end) {
+Axis decades(const std::vector<MethodPoint>& points, double MethodPoint::*value) {
   const auto [least, most] = std::minmax_element(
       points.begin(), points.end(),
-      [&](const PlotPoint& a, const PlotPoint& b) { return a.*value < b.*value; });
-  return {std::pow(10.0, std::floor(std::log10((*least).*value / kRoom))),
-          std::pow(10.0, std::ceil(std::log10((*most).*value * kRoom))), begin, end, true};
+      [&](const MethodPoint& a, const MethodPoint& b) { return a.*value < b.*value; });
+  return decadeAxis((*least).*value / kRoom, (*most).*value * kRoom);
 }
 
-int decadeOf(double value) {
-  return static_cast<int>(std::lround(std::log10(value)));
+// Seconds are read more easily as numbers, where these are short.
+Axis timeAxis(const std::vector<MethodPoint>& points) {
+  Axis axis = decades(points, &MethodPoint::seconds);
+  axis.title = "time for 2048² uncorrelated pixels";
+  axis.unit = "s";
+  for (Tick& tick : axis.ticks) {
+    if (tick.value > 0.05 && tick.value < 2000.0)
+      tick = {tick.value, formatNumber(tick.value, 6), {}, false};
+  }
+  return axis;
 }
 
-void drawAxes(Drawing& drawing, const Scale& x, const Scale& y) {
-  for (int t = decadeOf(x.from); t <= decadeOf(x.to); ++t) {
-    const double at = x.at(std::pow(10.0, t));
-    drawing.line({at, kPlot.top}, {at, kPlot.bottom}, kGrid);
-    if (t < -1 || t > 3) {
-      drawing.powerOfTen({at, kPlot.bottom + 18.0}, t, kTick, Anchor::middle);
-    } else {
-      drawing.text({at, kPlot.bottom + 18.0}, formatNumber(std::pow(10.0, t), 6), kTick,
-                   Anchor::middle);
-    }
-  }
-  for (int e = decadeOf(y.from); e <= decadeOf(y.to); ++e) {
-    const double at = y.at(std::pow(10.0, e));
-    drawing.line({kPlot.left, at}, {kPlot.right, at}, kGrid);
-    drawing.powerOfTen({kPlot.left - 8.0, at + 4.0}, e, kTick, Anchor::end);
-  }
+Marker markerOf(const MethodPoint& point) {
+  return {point.color, kMarker, !point.noisy, point.published ? Shape::square : Shape::disc};
+}
+
+Panel methodPanel(const std::vector<MethodPoint>& points, const BenchFigures& figures) {
+  const Color ink = printTheme().ink;
+  Panel panel;
+  panel.legend = {{"0.5 % noise", kNoStroke, Marker{ink, kMarker, false}},
+                  {"no noise", kNoStroke, Marker{ink, kMarker}},
+                  {"published by the paper, no noise", kNoStroke,
+                   Marker{printTheme().series.blue, kMarker, true, Shape::square}}};
+  panel.x = timeAxis(points);
+  panel.y = decades(points, &MethodPoint::error);
+  panel.y.title = "mean squared error of reflectance, 400–700 nm";
   // What people count long times in.
-  const std::vector<std::pair<double, const char*>> units = {
-      {60.0, "1 min"}, {3600.0, "1 h"}, {86400.0, "1 day"}};
-  for (const auto& [seconds, name] : units) {
-    if (seconds <= x.from || seconds >= x.to) continue;
-    drawing.line({x.at(seconds), kPlot.top}, {x.at(seconds), kPlot.top + 6.0}, kFrame);
-    drawing.text({x.at(seconds), kPlot.top - 6.0}, name, kTick, Anchor::middle);
+  panel.above = {
+      {60.0, "1 min", {}, false}, {3600.0, "1 h", {}, false}, {86400.0, "1 day", {}, false}};
+  if (const auto bound = boundOf(figures)) panel.levels = {boundLevel(*bound)};
+  for (const MethodPoint& point : points) {
+    PlotPoint shown;
+    shown.x = point.seconds;
+    shown.y = point.error;
+    shown.marker = markerOf(point);
+    shown.label = point.label;
+    panel.points.push_back(shown);
   }
-  drawing.rectangle(kPlot, "none", kFrame);
-  drawing.text({0.5 * (kPlot.left + kPlot.right), kPlot.bottom + 40.0},
-               "time for 2048² uncorrelated pixels, s", kLabel, Anchor::middle);
-  drawing.textUpwards({24.0, 0.5 * (kPlot.top + kPlot.bottom)},
-                      "mean squared error of reflectance, 400–700 nm", kLabel);
+  return panel;
 }
 
-void drawMarker(Drawing& drawing, Point at, bool published, bool open, const char* color) {
-  const char* fill = open ? kGround : color;
-  // A rim of ground keeps markers apart that lie on each other.
-  drawing.disc(at, kDisc + 2.4, kGround, kNoStroke);
-  if (published) {
-    drawing.rectangle({at.x - kSquare, at.y - kSquare, at.x + kSquare, at.y + kSquare}, fill,
-                      {color, 1.8, ""});
-  } else {
-    drawing.disc(at, kDisc, fill, {color, 1.8, ""});
-  }
-}
-
-// What no label may lie on: the line of the bound and its name.
-std::vector<Box> drawBound(Drawing& drawing, const BenchFigures& figures, const Scale& y) {
-  const auto bound = boundOf(figures);
-  if (!bound) return {};
-  const double at = y.at(*bound);
-  drawing.line({kPlot.left, at}, {kPlot.right, at}, {kBound, 1.6, "7 4"});
-  TextStyle style = kLabel;
-  style.color = kBound;
-  const std::string words = "Bayesian Cramér–Rao bound at 0.5 % noise";
-  drawing.text({kPlot.right - 10.0, at - 7.0}, words, style, Anchor::end);
-  const double left = kPlot.right - 12.0 - textWidth(words, style.size);
-  return {{kPlot.left, at - 2.0, kPlot.right, at + 2.0}, {left, at - 20.0, kPlot.right, at}};
-}
-
-void drawPoints(Drawing& drawing, const std::vector<PlotPoint>& points, const Scale& x,
-                const Scale& y, const std::vector<Box>& taken) {
-  std::vector<LabelledPoint> places;
-  for (const PlotPoint& point : points)
-    places.push_back({{x.at(point.seconds), y.at(point.error)}, kDisc + 1.0, point.label});
-  const Box area = {kPlot.left + 4.0, kPlot.top + 8.0, kPlot.right - 4.0, kPlot.bottom - 4.0};
-  const auto labels = placeLabels(places, taken, area, kLabel.size);
-  for (const PlacedLabel& label : labels) {
-    if (label.hasLeader) drawing.line(label.leaderFrom, label.leaderTo, kFrame);
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    drawMarker(drawing, places[i].at, points[i].published, points[i].noisy, points[i].color);
-    TextStyle style = kLabel;
-    style.color = points[i].color;
-    drawing.text(labels[i].at, points[i].label, style, labels[i].anchor);
-  }
-}
-
-void drawKey(Drawing& drawing) {
-  double x = kPlot.left + 6.0;
-  const double y = 74.0;
-  const auto entry = [&](bool published, bool open, const char* color, const char* words) {
-    drawMarker(drawing, {x, y - 4.0}, published, open, color);
-    drawing.text({x + 12.0, y}, words, kLabel, Anchor::start);
-    x += 12.0 + textWidth(words, kLabel.size) + 26.0;
-  };
-  entry(false, true, kInk, "0.5 % noise");
-  entry(false, false, kInk, "no noise");
-  entry(true, false, kPaper, "published by the paper, no noise");
-}
-
-std::string described(const std::vector<PlotPoint>& points) {
+std::string described(const std::vector<MethodPoint>& points) {
   std::string text = "Time for 2048 by 2048 pixels and mean squared error, 400 to 700 nm.";
-  for (const PlotPoint& point : points) {
+  for (const MethodPoint& point : points) {
     text += " " + point.label + ": " + formatNumber(point.seconds, 3) + " s, " +
             shortScientific(point.error) + (point.noisy ? " at 0.5 % noise." : ".");
   }
   return text;
 }
 
-// Words as lines that fit a width.
-std::vector<std::string> wrapped(const std::string& words, double size, double width) {
-  std::vector<std::string> lines(1);
-  for (std::size_t from = 0; from < words.size();) {
-    const std::size_t end = std::min(words.find(' ', from), words.size());
-    const std::string word = words.substr(from, end - from);
-    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
-    if (textWidth(longer, size) > width && !lines.back().empty()) {
-      lines.push_back(word);
-    } else {
-      lines.back() = longer;
-    }
-    from = end + 1;
-  }
-  return lines;
-}
-
-// What stands below the panels, as lines.
+// What stands below the panels.
 std::vector<std::string> notesOf(const BenchFigures& figures) {
   const std::string processor = figures.processor.empty() ? "unknown processor" : figures.processor;
   std::vector<std::string> notes = noiseRemarks(figures);
@@ -213,43 +138,24 @@ std::vector<std::string> notesOf(const BenchFigures& figures) {
                   figures.rig + ", cutis " + figures.version + ".");
   notes.push_back("Exhaustive searches are scaled from " + std::to_string(figures.subsample) +
                   " pixels. Memory is what the fit holds besides the photographs.");
-  std::vector<std::string> lines;
-  for (const std::string& note : notes) {
-    const auto more = wrapped(note, kNote.size, kPanels.right - kPanels.left);
-    lines.insert(lines.end(), more.begin(), more.end());
-  }
-  return lines;
-}
-
-void drawNotes(Drawing& drawing, const std::vector<std::string>& lines) {
-  double y = kNotesTop;
-  for (const std::string& line : lines) {
-    drawing.text({kPanels.left, y}, line, kNote, Anchor::start);
-    y += kNoteLine;
-  }
+  return notes;
 }
 
 }  // namespace
 
 Drawing benchPlot(const BenchFigures& figures) {
   const auto points = pointsOf(figures);
-  const auto notes = notesOf(figures);
-  const double height = kNotesTop + kNoteLine * static_cast<double>(notes.size()) + 2.0;
-  Drawing drawing(kWidth, height, "Run time against error", described(points));
-  drawing.rectangle({0.5, 0.5, kWidth - 0.5, height - 0.5}, kGround, {kGridColor, 1.0, ""}, 6.0);
-  drawing.text({kPanels.left, 32.0}, "Run time against error", kHeading, Anchor::start);
-  drawing.text({kPanels.left, 51.0},
-               "Fits of simulated photographs under three lights; the lower left corner is best",
-               kTick, Anchor::start);
-  drawKey(drawing);
-  const Scale x = decades(points, &PlotPoint::seconds, kPlot.left, kPlot.right);
-  const Scale y = decades(points, &PlotPoint::error, kPlot.bottom, kPlot.top);
-  drawAxes(drawing, x, y);
-  const auto taken = drawBound(drawing, figures, y);
-  drawPoints(drawing, points, x, y, taken);
-  drawPicturePanels(drawing, kPanels, figures);
-  drawNotes(drawing, notes);
-  return drawing;
+  Page page;
+  page.heading = "Run time against error";
+  page.description = described(points);
+  page.introduction = {
+      "Fits of simulated photographs under three lights; the lower left corner is best"};
+  PanelRow methods;
+  methods.height = kPanelHeight;
+  methods.panels = {methodPanel(points, figures)};
+  page.rows = {methods, pictureRow(figures)};
+  page.notes = notesOf(figures);
+  return layOut(page);
 }
 
 }  // namespace cutis

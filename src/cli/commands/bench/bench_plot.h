@@ -1,6 +1,6 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/bench
 
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 #include "src/report/drawing.h"
 
 namespace cutis {

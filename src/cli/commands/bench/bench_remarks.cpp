@@ -1,8 +1,6 @@
 #include "src/cli/commands/bench/bench_remarks.h"
 
-#include "src/cli/commands/bench/bench_errors.h"
-#include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
+#include "core/base/number_text.h"
 
 namespace cutis {
 namespace {

@@ -1,11 +1,11 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/bench
 
 // What the figures of a run say in words, for the table and for the plot.
 
 #include <string>
 #include <vector>
 
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 
 namespace cutis {
 

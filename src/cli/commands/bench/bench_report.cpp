@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "src/cli/commands/bench/bench_goals.h"
+#include "src/bench/goals.h"
 #include "src/files/io/atomic_write.h"
 
 namespace cutis {

@@ -1,9 +1,9 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/bench
 
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 
 namespace cutis {
 

@@ -2,12 +2,11 @@
 
 #include <cmath>
 
-#include "src/cli/commands/bench/bench_errors.h"
-#include "src/cli/commands/bench/bench_goals.h"
+#include "core/base/number_text.h"
+#include "src/bench/goals.h"
 #include "src/cli/commands/bench/bench_remarks.h"
 #include "src/cli/console.h"
 #include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
 
 namespace cutis {
 namespace {
@@ -197,6 +196,30 @@ std::string usual() {
   return "at " + percent(kUsualNoise) + " noise";
 }
 
+std::string withUnit(double value, GoalUnit unit) {
+  switch (unit) {
+    case GoalUnit::none:
+      return formatNumber(value, 3);
+    case GoalUnit::meanSquare:
+      return shortScientific(value);
+    case GoalUnit::seconds:
+      return formatNumber(value, 3) + " s";
+    case GoalUnit::microseconds:
+      return formatNumber(value, 3) + " µs";
+    case GoalUnit::percent:
+      return formatNumber(value, 4) + " %";
+  }
+  return {};
+}
+
+// "≤ 0.9 s", "93 to 97 %"
+std::string askedText(const Goal& goal) {
+  if (goal.least && goal.most)
+    return formatNumber(*goal.least) + " to " + withUnit(*goal.most, goal.unit);
+  if (goal.least) return "≥ " + withUnit(*goal.least, goal.unit);
+  return goal.most ? "≤ " + withUnit(*goal.most, goal.unit) : std::string();
+}
+
 }  // namespace
 
 std::string benchHeader(const BenchFigures& figures) {
@@ -310,7 +333,8 @@ std::string goalTable(const BenchFigures& figures) {
   TextTable table({"what", "asked", "reached", "met"});
   for (const Goal& goal : goalsOf(figures)) {
     const char* mark = otherSet && goal.presumesAvx512 ? " †" : "";
-    table.add({goal.what, askedText(goal) + mark, reachedText(goal), goal.isMet() ? "yes" : "no"});
+    table.add({goal.what, askedText(goal) + mark, withUnit(goal.reached, goal.unit),
+               goal.isMet() ? "yes" : "no"});
   }
   std::string text = heading("What was to be reached") + table.text();
   if (otherSet) {

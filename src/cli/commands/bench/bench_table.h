@@ -1,11 +1,11 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/bench
 
 // The figures as tables for a terminal, one function for each part of a run, so that every table
 // can be shown as soon as its figures are there. Each begins with an empty line but the first.
 
 #include <string>
 
-#include "src/cli/commands/bench/bench_figures.h"
+#include "src/bench/figures.h"
 
 namespace cutis {
 

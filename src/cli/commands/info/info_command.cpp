@@ -1,10 +1,10 @@
 // info: what a file is, or what the program has and runs on.
 
-#include <cstdio>
-
 #include "src/cli/command.h"
 #include "src/cli/commands/info/info_file.h"
 #include "src/cli/commands/info/info_system.h"
+#include "src/cli/options/add_option.h"
+#include "src/cli/standard_output.h"
 
 namespace cutis {
 namespace {
@@ -23,10 +23,7 @@ Status runInfoCommand(const InfoCommand& command, Session& session) {
     CUTIS_TRY(description, describeFile(command.file, session));
     text = description;
   }
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
-    return {};
-  }
-  return resourceError("standard output", "it cannot be written to");
+  return printText(text, kOutputLost);
 }
 
 }  // namespace
@@ -36,10 +33,8 @@ void addInfoCommand(CLI::App& app, Invocation& invocation) {
   CLI::App& command =
       addCommand(app, invocation, "info", "What a file is, or what this program has and runs on",
                  options, runInfoCommand);
-  command
-      .add_option("FILE", options->file,
-                  "Image, maps, capture, rig, profile, recipe or cached table")
-      ->type_name("");
+  addOption(command, "FILE", options->file, "",
+            "Image, maps, capture, rig, profile, recipe or cached table");
   command.add_flag("--system", options->system,
                    "Version, machine, and the built-in profiles, rigs, lights, observers and "
                    "cameras");

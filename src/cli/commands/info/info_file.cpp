@@ -1,12 +1,12 @@
 #include "src/cli/commands/info/info_file.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 
-#include "src/files/io/csv.h"
+#include "core/analyse/diffusion_domain.h"
+#include "core/analyse/maps_summary.h"
+#include "core/base/number_text.h"
 #include "src/files/io/json_file.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/recipe_file.h"
@@ -46,9 +46,8 @@ std::vector<std::string> lightsOf(const Rig& rig) {
   return names;
 }
 
-constexpr std::array<const char*, 5> kStateNames = {"solved", "masked", "invalid", "saturated",
-                                                    "no convergence"};
-using StateCounts = std::array<std::size_t, kStateNames.size()>;
+constexpr std::array<const char*, kPixelStateCount> kStateNames = {"solved", "masked", "invalid",
+                                                                   "saturated", "no convergence"};
 
 std::string statesText(const StateCounts& counts) {
   std::string text;
@@ -59,40 +58,23 @@ std::string statesText(const StateCounts& counts) {
   return text;
 }
 
-// Counts the states; if wanted, collects a value of the pixels that have an estimate.
-Result<StateCounts> countStates(const Plane& state, const Plane* values,
-                                std::vector<float>* estimates) {
-  StateCounts counts = {};
-  for (int t = 0; t < state.tileCount(); ++t) {
-    const Rect rect = state.tileRect(t);
-    std::vector<float> states(rect.pixelCount()), pixels(rect.pixelCount());
-    CUTIS_CHECK(state.load(rect, states));
-    if (values != nullptr) CUTIS_CHECK(values->load(rect, pixels));
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      const auto s = static_cast<std::size_t>(states[i]);
-      if (s < counts.size()) ++counts[s];
-      const bool estimated = s == 0 || s == static_cast<std::size_t>(PixelState::noConvergence);
-      if (estimated && estimates != nullptr) estimates->push_back(pixels[i]);
-    }
-  }
-  return counts;
-}
-
-float quantile(std::vector<float>& values, double share) {
-  const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 Result<std::string> valuesText(const ChromophoreMaps& maps, const Plane& plane) {
-  std::vector<float> values;
-  CUTIS_CHECK(countStates(maps.state, &plane, &values));
-  if (values.empty()) return std::string();
-  const auto number = [&](double share) {
-    return formatNumber(static_cast<double>(quantile(values, share)), 4);
-  };
-  const std::string median = number(0.5);
-  return "median " + median + ", 5–95 % " + number(0.05) + " to " + number(0.95);
+  CUTIS_TRY(spread, spreadOf(plane, maps.state));
+  if (!spread) return std::string();
+  const auto number = [](float value) { return formatNumber(double{value}, 4); };
+  return "median " + number(spread->median) + ", 5–95 % " + number(spread->low) + " to " +
+         number(spread->high);
+}
+
+// How much of the maps lies outside diffusion's domain, for maps of a profile that uses it.
+Result<std::string> diffusionText(const MapsFile& file, const std::string& path,
+                                  const Session& session) {
+  if (file.attributes.profileJson.empty()) return std::string();
+  CUTIS_TRY(profile, parseProfile(file.attributes.profileJson, path));
+  CUTIS_TRY(outside, shareOutsideDiffusion(file.maps, profile, session.context));
+  if (!outside) return std::string();
+  return formatNumber(100.0 * *outside, 2) +
+         " % of the pixels absorb more visible light than they scatter";
 }
 
 Result<std::string> describeMaps(const std::string& path, const Session& session) {
@@ -118,8 +100,10 @@ Result<std::string> describeMaps(const std::string& path, const Session& session
   if (file.maps.free().count() > 0) further.emplace_back("constants");
   if (!file.constantDeviations.empty()) further.emplace_back("constants_deviation");
   text += line("further parts", listOf(further));
-  CUTIS_TRY(counts, countStates(file.maps.state, nullptr, nullptr));
+  CUTIS_TRY(counts, countStates(file.maps.state));
   text += line("pixels", statesText(counts));
+  CUTIS_TRY(diffusion, diffusionText(file, path, session));
+  text += line("outside diffusion's domain", diffusion);
   for (const Parameter parameter : kParameters) {
     CUTIS_TRY(values, valuesText(file.maps, file.maps.values[parameter]));
     text += line(std::string(parameterName(parameter)), values);
@@ -142,7 +126,7 @@ Result<std::string> describeCapture(const std::string& path, const Session& sess
   for (std::size_t k = 0; k < capture.sources.size(); ++k) {
     text += line("light " + measurements.rig.lights[k].name, capture.sources[k].file);
   }
-  CUTIS_TRY(counts, countStates(measurements.state, nullptr, nullptr));
+  CUTIS_TRY(counts, countStates(measurements.state));
   std::string states = statesText(counts);
   if (states.find("solved") != std::string::npos) {
     states.replace(states.find("solved"), 6, "to solve");

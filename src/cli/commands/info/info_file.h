@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/info
 
 // What a file is and what is in it, in lines of "name: value".
 

@@ -13,11 +13,11 @@
 namespace cutis {
 namespace {
 
-std::string line(const std::string& name, const std::string& value) {
+std::string systemLine(const std::string& name, const std::string& value) {
   return name + ": " + (value.empty() ? "unknown" : value) + "\n";
 }
 
-std::string listOf(const std::vector<std::string>& names) {
+std::string namesOf(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names)
     list += (list.empty() ? "" : ", ") + name;
@@ -27,14 +27,17 @@ std::string listOf(const std::vector<std::string>& names) {
 }  // namespace
 
 std::string describeSystem() {
-  return line("version", CUTIS_VERSION) + line("instruction set", instructionSetName()) +
-         line("processor", processorName()) +
-         line("threads", std::to_string(parallelThreadCount())) +
-         line("cache", cacheFolder().string()) + line("profiles", listOf(profileNames())) +
-         line("rigs", listOf(rigNames())) + line("lights", listOf(lightNames())) +
-         line("observers", listOf(observerNames())) + line("cameras", listOf(cameraNames())) +
-         line("displays", listOf(displayNames())) +
-         line("colour spaces", listOf(colorSpaceNames()));
+  return systemLine("version", CUTIS_VERSION) +
+         systemLine("instruction set", instructionSetName()) +
+         systemLine("processor", processorName()) +
+         systemLine("threads", std::to_string(parallelThreadCount())) +
+         systemLine("cache", cacheFolder().string()) +
+         systemLine("profiles", namesOf(profileNames())) + systemLine("rigs", namesOf(rigNames())) +
+         systemLine("lights", namesOf(lightNames())) +
+         systemLine("observers", namesOf(observerNames())) +
+         systemLine("cameras", namesOf(cameraNames())) +
+         systemLine("displays", namesOf(displayNames())) +
+         systemLine("colour spaces", namesOf(colorSpaceNames()));
 }
 
 }  // namespace cutis

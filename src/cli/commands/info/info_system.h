@@ -1,4 +1,6 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/info
+
+// The text of `cutis-cli info --system`.
 
 #include <string>
 

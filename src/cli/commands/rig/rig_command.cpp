@@ -1,15 +1,17 @@
 // rig: what a rig can tell of skin.
 
-#include <cstdio>
-
+#include "core/analyse/rig_study.h"
 #include "src/cli/command.h"
+#include "src/cli/command_line.h"
 #include "src/cli/commands/rig/rig_identify.h"
-#include "src/cli/options/arguments.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/cli/output_check.h"
+#include "src/cli/standard_output.h"
 #include "src/files/profiles/prior_file.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/rig_file.h"
+#include "src/files/spectral_library.h"
 #include "src/report/picture_file.h"
 
 namespace cutis {
@@ -35,6 +37,16 @@ Status checkAction(const std::string& action) {
   return usageError("rig", "unknown action '" + action + "'; it is identify");
 }
 
+// Diodes and all lights of the library.
+Result<std::vector<RigLight>> candidateLights() {
+  std::vector<RigLight> lights = narrowLights();
+  for (const std::string& name : lightNames()) {
+    CUTIS_TRY(power, loadLight({name, {}, {}}));
+    lights.push_back({name, power, {}});
+  }
+  return lights;
+}
+
 Status runRigCommand(const RigCommand& command, Session& session) {
   CUTIS_CHECK(checkAction(command.action));
   int people = kUsualPeople;
@@ -57,15 +69,14 @@ Status runRigCommand(const RigCommand& command, Session& session) {
     CUTIS_TRY(given, readPrior(command.prior, prior));
     prior = given;
   }
-  CUTIS_TRY(figures, identifyRig(*model, rig, prior, static_cast<std::size_t>(people),
-                                 session.context.child(0.0, 1.0, "identifying")));
+  CUTIS_TRY(candidates, candidateLights());
+  CUTIS_TRY(study, studyRig(*model, rig, prior, static_cast<std::size_t>(people), candidates,
+                            session.context.child(0.0, 1.0, "identifying")));
+  const RigFigures figures =
+      namedFigures(study, rig.name, model->profile().name, static_cast<std::size_t>(people));
   if (!command.plot.empty()) CUTIS_CHECK(writeRigPlot(command.plot, figures));
   session.clearProgress();
-  const std::string text = rigTables(figures);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
-    return {};
-  }
-  return resourceError("standard output", "the tables could not be written");
+  return printText(rigTables(figures), kTablesLost);
 }
 
 }  // namespace
@@ -74,30 +85,21 @@ void addRigCommand(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<RigCommand>();
   CLI::App& command =
       addCommand(app, invocation, "rig", "What a rig can tell apart", options, runRigCommand);
-  command
-      .add_option("ACTION", options->action,
-                  "identify: what the channels leave open of each parameter, which light to add, "
-                  "and what noise does")
-      ->required()
-      ->type_name("");
-  command.add_option("--rig", options->rig, "A built-in name or a JSON file (default: monitor)")
-      ->type_name("NAME|FILE");
-  command
-      .add_option("--profile", options->profile,
-                  "Skin model: a built-in name or a JSON file (default: skin2026)")
-      ->type_name("NAME|FILE");
-  command
-      .add_option("--prior", options->prior,
-                  "JSON file with what is known of the skin beforehand (default: the profile's)")
-      ->type_name("FILE");
-  command
-      .add_option("--noise", options->noise,
-                  "Standard deviations of a channel, constant and proportional (default: the "
-                  "rig's)")
-      ->type_name("READ,PROP");
-  command.add_option("--people", options->people, "People to draw from the prior (default: 500)")
-      ->type_name("N");
-  command.add_option("--plot", options->plot, "Picture to write, .svg or .png")->type_name("FILE");
+  addOption(command, "ACTION", options->action, "",
+            "identify: what the channels leave open of each parameter, which light to add, "
+            "and what noise does")
+      ->required();
+  addOption(command, "--rig", options->rig, "NAME|FILE",
+            "A built-in name or a JSON file (default: monitor)");
+  addProfileOption(command, options->profile, kDefaultProfile);
+  addOption(command, "--prior", options->prior, "FILE",
+            "JSON file with what is known of the skin beforehand (default: the profile's)");
+  addOption(command, "--noise", options->noise, "READ,PROP",
+            "Standard deviations of a channel, constant and proportional (default: the "
+            "rig's)");
+  addOption(command, "--people", options->people, "N",
+            "People to draw from the prior (default: 500)");
+  addOption(command, "--plot", options->plot, "FILE", "Picture to write, .svg or .png");
 }
 
 }  // namespace cutis

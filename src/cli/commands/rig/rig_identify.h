@@ -1,17 +1,19 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/rig
 
-// What a rig can tell apart, as numbers: for the table and the picture of `rig identify`.
+// What a rig can tell apart, in words for people: the tables and the picture of `rig identify`.
+//
+// The picture is in rig_plot.cpp.
 
 #include <string>
 #include <vector>
 
-#include "core/analyse/identifiability.h"
-#include "src/cli/command.h"
+#include "core/analyse/rig_study.h"
+#include "core/base/result.h"
 
 namespace cutis {
 
 struct MeasurementFigures {
-  std::string name;  // "all 9 channels", "with 420 nm", …
+  std::string name;  // "all, 9 channels", "420 nm, 20 nm wide", …
   Identifiability result;
 };
 
@@ -25,9 +27,9 @@ struct RigFigures {
   std::vector<MeasurementFigures> lights;    // one more light, the best first
 };
 
-// people: drawn from the prior. Cancelled if asked to stop.
-Result<RigFigures> identifyRig(const SkinModel& model, const Rig& rig, const Prior& prior,
-                               std::size_t people, const JobContext& context);
+// A study of a rig with this name on a profile, with a name for every measurement.
+RigFigures namedFigures(const RigStudy& study, const std::string& rig, const std::string& profile,
+                        std::size_t people);
 
 // For people.
 std::string rigTables(const RigFigures& figures);

@@ -1,19 +1,20 @@
 // train: the networks of a rig and a profile.
 
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/app/training/network_errors.h"
 #include "src/app/training/network_training.h"
+#include "src/app/training/training_keeper.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/train/train_plot.h"
 #include "src/cli/commands/train/train_report.h"
 #include "src/cli/commands/train/train_sizes.h"
-#include "src/cli/commands/train/training_keeper.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/train_options.h"
 #include "src/cli/output_check.h"
+#include "src/cli/standard_output.h"
 #include "src/report/picture_file.h"
 
 namespace cutis {
@@ -65,13 +66,6 @@ Result<TrainedNetworks> train(const SkinModel& model, const Rig& rig,
   return trained;
 }
 
-Status print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
-    return {};
-  }
-  return resourceError("standard output", "the tables could not be written");
-}
-
 Status runTrainCommand(const TrainCommand& command, Session& session) {
   CUTIS_CHECK(checkOutputs(command));
   CUTIS_TRY(rig, trainedRig(command.options));
@@ -80,7 +74,7 @@ Status runTrainCommand(const TrainCommand& command, Session& session) {
   if (!command.sizes.empty()) {
     CUTIS_TRY(table, sizesTable(command.sizes, *model, rig, training, session.context));
     session.clearProgress();
-    return print(table);
+    return printText(table, kTablesLost);
   }
   CUTIS_TRY(identity, trainingIdentity(*model, rig, training));
   TrainingKeeper keeper(command.state, training.command, identity);
@@ -90,7 +84,7 @@ Status runTrainCommand(const TrainCommand& command, Session& session) {
   if (!command.plot.empty()) CUTIS_CHECK(writeDrawing(command.plot, trainPlot(*model, trained)));
   CUTIS_CHECK(keeper.remove());
   session.clearProgress();
-  return print(trainReport(trained, errors));
+  return printText(trainReport(trained, errors), kTablesLost);
 }
 
 }  // namespace
@@ -101,24 +95,17 @@ void addTrainCommand(CLI::App& app, Invocation& invocation) {
                                  "Train the networks that fit --method network answers with",
                                  options, runTrainCommand);
   addTrainOptions(command, options->options);
-  command.add_option("-o,--output", options->output, "Weights to write")->type_name("WEIGHTS.json");
-  command
-      .add_option("--state", options->state,
-                  "Keep the state of the training in this file every few seconds; the same "
-                  "command goes on from it after an interruption, to the same weights; deleted "
-                  "once they are written")
-      ->type_name("STATE.json");
-  command
-      .add_option(
-          "--plot", options->plot,
-          "Picture to draw, .svg or .png: errors by epoch, what principal components leave, "
-          "the components, and a spectrum rebuilt from them")
-      ->type_name("FILE");
-  command
-      .add_option("--sizes", options->sizes,
-                  "Instead of writing weights, train networks with each of these hidden layers and "
-                  "print what they cost and how good they are: \"16,16;default;64,64\"")
-      ->type_name("N,...;...");
+  addOption(command, "-o,--output", options->output, "WEIGHTS.json", "Weights to write");
+  addOption(command, "--state", options->state, "STATE.json",
+            "Keep the state of the training in this file every few seconds; the same "
+            "command goes on from it after an interruption, to the same weights; deleted "
+            "once they are written");
+  addOption(command, "--plot", options->plot, "FILE",
+            "Picture to draw, .svg or .png: errors by epoch, what principal components leave, "
+            "the components, and a spectrum rebuilt from them");
+  addOption(command, "--sizes", options->sizes, "N,...;...",
+            "Instead of writing weights, train networks with each of these hidden layers and "
+            "print what they cost and how good they are: \"16,16;default;64,64\"");
 }
 
 }  // namespace cutis

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/train
 
 // A training as a picture: curves of both losses, the error that principal components leave against
 // their number, the components themselves, and a spectrum taken apart and put together again.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/base/number_text.h"
 #include "src/cli/text_table.h"
 
 namespace cutis {

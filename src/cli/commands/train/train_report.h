@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/train
 
 // What train prints of networks it has trained.
 

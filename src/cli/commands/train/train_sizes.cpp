@@ -1,15 +1,11 @@
 #include "src/cli/commands/train/train_sizes.h"
 
-#include <algorithm>
-#include <chrono>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <vector>
 
-#include "core/base/random.h"
-#include "core/neural/network_pipeline.h"
-#include "src/app/training/network_errors.h"
+#include "core/base/number_text.h"
+#include "src/app/training/size_study.h"
 #include "src/cli/options/train_options.h"
 #include "src/cli/text_table.h"
 
@@ -17,9 +13,6 @@ namespace cutis {
 namespace {
 
 constexpr std::size_t kMostSizes = 20;
-// Few enough that a run is over before another program gets the core.
-constexpr std::size_t kPixels = 1 << 11;
-constexpr int kRuns = 300;
 constexpr char kDefaultSize[] = "default";
 
 struct NetworkSize {
@@ -46,60 +39,21 @@ Result<std::vector<NetworkSize>> sizesOf(const std::string& text) {
   return sizes;
 }
 
-PixelBuffer<float> randomPlanes(int count) {
-  PixelBuffer<float> planes(static_cast<std::size_t>(count), kPixels);
-  for (std::size_t k = 0; k < planes.rowCount(); ++k) {
-    Random random(6, k);
-    for (float& value : planes[k])
-      value = static_cast<float>(random.uniform(0.05, 0.6));
-  }
-  return planes;
-}
-
-// Of one core.
-double nanosecondsPerPixel(const NetworkPipeline& pipeline, const PixelBuffer<float>& inputs,
-                           bool wantsParameters) {
-  PixelBuffer<float> results(
-      static_cast<std::size_t>(wantsParameters ? int{kParameterCount} : pipeline.outputCount()),
-      kPixels);
-  double least = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < kRuns; ++run) {
-    const auto start = std::chrono::steady_clock::now();
-    if (wantsParameters) {
-      pipeline.run(inputs.rows(), results.rows(), {});
-    } else {
-      pipeline.run(inputs.rows(), {}, results.rows());
-    }
-    const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
-    least = std::min(least, took.count() / static_cast<double>(kPixels));
-  }
-  return least;
-}
-
 Result<std::vector<std::string>> rowOf(const NetworkSize& size, const SkinModel& model,
                                        const Rig& rig, NetworkTraining training,
                                        const JobContext& context) {
   if (size.hidden) training.spectra.hidden = training.chromophores.hidden = *size.hidden;
-  NetworkTrainingState state;
-  CUTIS_TRY(trained, trainNetworks(model, rig, training, state, context));
-  CUTIS_TRY(errors, measureNetworks(model, rig, trained.file, context));
-  const ChromophoreNetwork& chromophores = trained.file.chromophores;
-  const auto encoder = NetworkPipeline::encoder(chromophores);
-  CUTIS_TRY(both,
-            NetworkPipeline::encoderDecoder(chromophores, trained.file.spectra, responseRows(rig)));
-  const PixelBuffer<float> inputs = randomPlanes(encoder.inputCount());
-  const auto weights =
-      trained.file.spectra.network.parameterCount() + chromophores.network.parameterCount();
+  CUTIS_TRY(figures, studySize(model, rig, training, context));
   return std::vector<std::string>{size.name,
-                                  std::to_string(weights),
-                                  std::to_string(both.workPerPixel()),
-                                  fixedNumber(nanosecondsPerPixel(encoder, inputs, true), 0),
-                                  fixedNumber(nanosecondsPerPixel(both, inputs, false), 0),
-                                  shortScientific(errors.decoded),
-                                  shortScientific(errors.encoded),
-                                  shortScientific(errors.encodedNoisy),
-                                  shortScientific(errors.both),
-                                  fixedNumber(trained.seconds, 0)};
+                                  std::to_string(figures.weights),
+                                  std::to_string(figures.workPerPixel),
+                                  fixedNumber(figures.encodeNanoseconds, 0),
+                                  fixedNumber(figures.decodeNanoseconds, 0),
+                                  shortScientific(figures.errors.decoded),
+                                  shortScientific(figures.errors.encoded),
+                                  shortScientific(figures.errors.encodedNoisy),
+                                  shortScientific(figures.errors.both),
+                                  fixedNumber(figures.trainingSeconds, 0)};
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/train
 
-// What networks of several sizes cost and how good they are.
+// What networks of several sizes cost and how good they are, as a table.
 
 #include <string>
 
@@ -18,7 +18,7 @@ namespace cutis {
 Result<std::string> sizesTable(const std::string& sizes, const SkinModel& model, const Rig& rig,
                                const NetworkTraining& training, const JobContext& context);
 
-// Whether the list can be understood, told before any work is done.
+// Whether the list can be understood, before any work is done.
 Status checkSizes(const std::string& sizes);
 
 }  // namespace cutis

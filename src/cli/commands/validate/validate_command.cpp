@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "core/base/number_text.h"
+#include "core/evaluate/validation.h"
 #include "core/fit/spectra/spectra_fit.h"
 #include "src/cli/command.h"
-#include "src/cli/commands/validate/validation.h"
 #include "src/cli/commands/validate/validation_plot.h"
+#include "src/cli/options/add_option.h"
 #include "src/cli/options/measurement_options.h"
 #include "src/cli/output_check.h"
+#include "src/cli/standard_output.h"
 #include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
+#include "src/files/measured_spectra_file.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/rig_file.h"
 #include "src/report/picture_file.h"
@@ -32,7 +34,7 @@ struct ValidateCommand {
   std::vector<std::string> spectra;
   std::vector<std::string> profiles;
   std::string plot;
-  MeasurementArguments measurement;
+  MeasurementOptions measurement;
 };
 
 struct DataSet {
@@ -97,10 +99,9 @@ Result<Models> loadModels(const std::vector<std::string>& names, Session& sessio
 
 Result<DataSet> readData(const std::string& path, const JobContext& context) {
   CUTIS_TRY(spectra, readMeasuredSpectra(path, kModelRange, kFewestWavelengths, context));
-  const auto visible = static_cast<std::size_t>(std::count_if(
-      spectra.wavelengthsNm.begin(), spectra.wavelengthsNm.end(), [](double wavelength) {
-        return wavelength >= kFittedRange.fromNm && wavelength <= kFittedRange.toNm;
-      }));
+  const auto visible = static_cast<std::size_t>(
+      std::count_if(spectra.wavelengthsNm.begin(), spectra.wavelengthsNm.end(),
+                    [](double wavelength) { return kFittedRange.contains(wavelength); }));
   if (visible >= kFewestWavelengths) return DataSet{path, std::move(spectra)};
   return inputError(path, "too few wavelengths lie from 400 to 700 nm: " + std::to_string(visible) +
                               " where at least " + std::to_string(kFewestWavelengths) +
@@ -109,10 +110,7 @@ Result<DataSet> readData(const std::string& path, const JobContext& context) {
 
 Status print(const std::string& text, const Session& session) {
   session.clearProgress();
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) {
-    return {};
-  }
-  return resourceError("standard output", "the tables could not be written");
+  return printText(text, kTablesLost);
 }
 
 std::string legend() {
@@ -202,25 +200,19 @@ void addValidateCommand(CLI::App& app, Invocation& invocation) {
       addCommand(app, invocation, "validate",
                  "How well profiles describe and predict measured reflectance spectra", options,
                  runValidateCommand);
-  command
-      .add_option("SPECTRA", options->spectra,
-                  "Comma-separated values as for fit-spectra, one or several files that were "
-                  "measured alike")
-      ->required()
-      ->type_name("");
-  command
-      .add_option("--profile", options->profiles,
-                  "Skin models, separated by commas: built-in names or JSON files (default: all "
-                  "that are built in)")
+  addOption(command, "SPECTRA", options->spectra, "",
+            "Comma-separated values as for fit-spectra, one or several files that were "
+            "measured alike")
+      ->required();
+  addOption(command, "--profile", options->profiles, "NAME|FILE",
+            "Skin models, separated by commas: built-in names or JSON files (default: all "
+            "that are built in)")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME|FILE");
+      ->allow_extra_args(false);
   addMeasurementOptions(command, options->measurement);
-  command
-      .add_option("--plot", options->plot,
-                  "Residual spectra as SVG or PNG, one file for each file of spectra and profile: "
-                  "their names are added to this one")
-      ->type_name("FILE");
+  addOption(command, "--plot", options->plot, "FILE",
+            "Residual spectra as SVG or PNG, one file for each file of spectra and profile: "
+            "their names are added to this one");
 }
 
 }  // namespace cutis

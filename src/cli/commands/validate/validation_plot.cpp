@@ -4,113 +4,69 @@
 #include <array>
 #include <cmath>
 
-#include "src/cli/plot_style.h"
-#include "src/cli/text_table.h"
-#include "src/files/io/csv.h"
-#include "src/report/scale.h"
+#include "core/base/number_text.h"
+#include "src/report/plot/page.h"
 
 namespace cutis {
 namespace {
 
-using namespace plot_style;
-
-constexpr double kWidth = 920.0, kHeight = 730.0;
-constexpr double kLeft = 84.0, kRight = 886.0, kMargin = 24.0;
-constexpr double kFirstTop = 112.0, kPanelHeight = 150.0, kPanelStep = 194.0;
-constexpr char kFittedGround[] = "#f1f4f7";
-constexpr char kSpread[] = "#f3cdb8";
+constexpr double kPanelHeight = 150.0;
+constexpr int kSteps = 5;
 constexpr double kTickNm = 100.0, kFineTickNm = 20.0;  // by how much is measured
 constexpr double kManyNm = 450.0;
 constexpr double kLeastScale = 1e-4;  // where there is next to no residual
+constexpr std::uint8_t kSpreadAlpha = 70;
 
 constexpr std::array<const char*, kToneThirds> kToneNames = {"Dark", "Middle", "Light"};
 
-// Wavelengths that are shown, and the scale of residuals.
-struct Axes {
-  const std::vector<double>& wavelengthsNm;
-  std::vector<double> ticks;  // from 0
-};
+std::string signedWords(double value, double step) {
+  return (value > 0.5 * step ? "+" : "") + tickWords(value, step);
+}
 
-Axes axesOf(const ValidationFigures& figures, const std::vector<double>& wavelengthsNm) {
+// The same for all panels: from minus to plus the largest.
+Axis residualAxis(const ValidationFigures& figures) {
   double most = kLeastScale;
   for (const ToneResiduals& tone : figures.tones) {
     for (std::size_t w = 0; w < tone.mean.size(); ++w)
       most = std::max(most, std::abs(tone.mean[w]) + tone.deviation[w]);
   }
-  return {wavelengthsNm, linearTicks(most)};
+  const double end = niceCeiling(most, kSteps);
+  Axis axis = linearAxis(-end, end, 2 * kSteps, signedWords);
+  axis.title = "residual";
+  return axis;
 }
 
-Box panelBox(std::size_t tone) {
-  const double top = kFirstTop + kPanelStep * static_cast<double>(tone);
-  return {kLeft, top, kRight, top + kPanelHeight};
+Axis wavelengthAxis(const std::vector<double>& wavelengthsNm) {
+  const double from = wavelengthsNm.front(), to = wavelengthsNm.back();
+  const double step = to - from < kManyNm ? kFineTickNm : kTickNm;
+  return linearAxis(from, to, static_cast<int>(std::ceil((to - from) / step)));
 }
 
-Scale across(const Axes& axes) {
-  return {axes.wavelengthsNm.front(), axes.wavelengthsNm.back(), kLeft, kRight};
+std::string titleOf(const ToneResiduals& tone, const char* name) {
+  const std::string words = std::string(name) + " third: ";
+  if (tone.spectra == 0) return words + "no spectra";
+  return words + std::to_string(tone.spectra) + (tone.spectra == 1 ? " spectrum" : " spectra") +
+         ", mean reflectance 400–700 nm " + fixedNumber(tone.darkest, 3) + " to " +
+         fixedNumber(tone.lightest, 3);
 }
 
-Scale upwards(const Axes& axes, const Box& box) {
-  return {-axes.ticks.back(), axes.ticks.back(), box.bottom, box.top};
-}
-
-void drawGround(Drawing& drawing, const Axes& axes, const Box& box) {
-  const Scale x = across(axes), y = upwards(axes, box);
-  drawing.rectangle({x.at(kFittedRange.fromNm), box.top, x.at(kFittedRange.toNm), box.bottom},
-                    kFittedGround, kNoStroke);
-  const double step =
-      axes.wavelengthsNm.back() - axes.wavelengthsNm.front() < kManyNm ? kFineTickNm : kTickNm;
-  for (double nm = step * std::ceil(axes.wavelengthsNm.front() / step);
-       nm <= axes.wavelengthsNm.back(); nm += step) {
-    drawing.line({x.at(nm), box.top}, {x.at(nm), box.bottom}, kGrid);
-    drawing.text({x.at(nm), box.bottom + 15.0}, formatNumber(nm), kTick, Anchor::middle);
+Panel panelOf(const ToneResiduals& tone, const char* name, const Axis& residuals,
+              const std::vector<double>& wavelengthsNm) {
+  const PlotTheme& theme = printTheme();
+  Panel panel;
+  panel.title = titleOf(tone, name);
+  panel.x = wavelengthAxis(wavelengthsNm);
+  panel.y = residuals;
+  panel.shades = {{kFittedRange.fromNm, kFittedRange.toNm, theme.shade, {}}};
+  if (tone.spectra == 0) return panel;
+  Ribbon ribbon = {wavelengthsNm, {}, {}, theme.series.orange.faded(kSpreadAlpha)};
+  for (std::size_t w = 0; w < tone.mean.size(); ++w) {
+    ribbon.low.push_back(tone.mean[w] - tone.deviation[w]);
+    ribbon.high.push_back(tone.mean[w] + tone.deviation[w]);
   }
-  for (const double tick : axes.ticks) {
-    for (const double value : {-tick, tick}) {
-      drawing.line({box.left, y.at(value)}, {box.right, y.at(value)},
-                   value == 0.0 ? kFrame : kGrid);
-      const std::string words = (value > 0.0   ? "+"
-                                 : value < 0.0 ? "−"
-                                               : "") +
-                                formatNumber(std::abs(value), 3);
-      drawing.text({box.left - 8.0, y.at(value) + 4.0}, words, kTick, Anchor::end);
-      if (tick == 0.0) break;
-    }
-  }
-}
-
-void drawResiduals(Drawing& drawing, const Axes& axes, const Box& box, const ToneResiduals& tone) {
-  const Scale x = across(axes), y = upwards(axes, box);
-  std::vector<Point> mean, outline;
-  const std::size_t count = tone.mean.size();
-  for (std::size_t w = 0; w < count; ++w) {
-    const double at = x.at(axes.wavelengthsNm[w]);
-    mean.push_back({at, y.at(tone.mean[w])});
-    outline.push_back({at, y.at(tone.mean[w] + tone.deviation[w])});
-  }
-  for (std::size_t w = count; w-- > 0;) {
-    outline.push_back({x.at(axes.wavelengthsNm[w]), y.at(tone.mean[w] - tone.deviation[w])});
-  }
-  drawing.area(outline, kSpread);
-  drawing.line({box.left, y.at(0.0)}, {box.right, y.at(0.0)}, kFrame);
-  drawing.polyline(mean, {kRefined, 1.8, ""});
-}
-
-void drawPanel(Drawing& drawing, const Axes& axes, const ValidationFigures& figures,
-               std::size_t index) {
-  const Box box = panelBox(index);
-  const ToneResiduals& tone = figures.tones[index];
-  drawGround(drawing, axes, box);
-  std::string words = std::string(kToneNames[index]) + " third: ";
-  if (tone.spectra == 0) {
-    words += "no spectra";
-  } else {
-    words += std::to_string(tone.spectra) + (tone.spectra == 1 ? " spectrum" : " spectra") +
-             ", mean reflectance 400–700 nm " + fixedNumber(tone.darkest, 3) + " to " +
-             fixedNumber(tone.lightest, 3);
-    drawResiduals(drawing, axes, box, tone);
-  }
-  drawing.rectangle(box, "none", kFrame);
-  drawing.text({box.left, box.top - 7.0}, words, kLabel, Anchor::start);
+  panel.ribbons = {ribbon};
+  panel.curves = {{wavelengthsNm, tone.mean, {theme.series.orange, 1.8}, {}}};
+  return panel;
 }
 
 std::string descriptionOf(const ValidationFigures& figures) {
@@ -130,28 +86,24 @@ std::string descriptionOf(const ValidationFigures& figures) {
 Drawing validationPlot(const ValidationFigures& figures, const std::vector<double>& wavelengthsNm,
                        const std::string& profile, const std::string& data,
                        const std::string& measurement) {
-  const std::string title = "Residual spectra: " + profile + " on " + data;
-  const double room = kRight - kMargin;
-  Drawing drawing(kWidth, kHeight, title, descriptionOf(figures));
-  drawing.rectangle({0.5, 0.5, kWidth - 0.5, kHeight - 0.5}, kGround, {kGridColor, 1.0, ""}, 6.0);
-  drawing.text({kMargin, 32.0}, shortened(title, kHeading.size, room / 1.15), kHeading,
-               Anchor::start);
-  drawing.text({kMargin, 54.0},
-               "Model minus measurement: above 0 the model is too bright. Line: mean; area: ± one "
-               "standard deviation between spectra.",
-               kLabel, Anchor::start);
-  drawing.text(
-      {kMargin, 72.0},
-      shortened("Fitted to 400–700 nm alone (grey ground), predicted beyond; " + measurement + ".",
-                kLabel.size, room),
-      kLabel, Anchor::start);
-  const Axes axes = axesOf(figures, wavelengthsNm);
-  for (std::size_t t = 0; t < figures.tones.size(); ++t)
-    drawPanel(drawing, axes, figures, t);
-  drawing.text({0.5 * (kLeft + kRight), kHeight - 30.0}, "wavelength, nm", kLabel, Anchor::middle);
-  drawing.textUpwards({24.0, kFirstTop + kPanelStep + 0.5 * kPanelHeight},
-                      "residual of the reflectance", kLabel);
-  return drawing;
+  Page page;
+  page.heading = "Residual spectra: " + profile + " on " + data;
+  page.description = descriptionOf(figures);
+  page.introduction = {
+      "Model minus measurement: above 0 the model is too bright. Line: mean; area: ± one standard "
+      "deviation between spectra.",
+      "Fitted to 400–700 nm alone (grey ground), predicted beyond; " + measurement + "."};
+  const Axis residuals = residualAxis(figures);
+  for (std::size_t t = 0; t < figures.tones.size(); ++t) {
+    PanelRow row;
+    row.height = kPanelHeight;
+    row.panels = {panelOf(figures.tones[t], kToneNames[t], residuals, wavelengthsNm)};
+    page.rows.push_back(row);
+  }
+  Axis& lowest = page.rows.back().panels.front().x;
+  lowest.title = "wavelength";
+  lowest.unit = "nm";
+  return layOut(page);
 }
 
 }  // namespace cutis

@@ -1,9 +1,9 @@
-#pragma once
+#pragma once  // internal to src/cli/commands/validate
 
 #include <string>
 #include <vector>
 
-#include "src/cli/commands/validate/validation.h"
+#include "core/evaluate/validation.h"
 #include "src/report/drawing.h"
 
 namespace cutis {

@@ -1,0 +1,29 @@
+#include "core/render/skin_spectra.h"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace cutis {
+
+Result<SkinSpectra> SkinSpectra::make(std::shared_ptr<const SkinModel> model,
+                                      const FreeConstants& free, const JobContext& context) {
+  SkinSpectra spectra(std::move(model), free);
+  if (free.count() == 0) return spectra;
+  std::vector<int> all(kSampleCount);
+  std::iota(all.begin(), all.end(), 0);
+  CUTIS_TRY(skin, FreeSkin::make(*spectra.model_, all, free, context));
+  spectra.skin_ = std::make_shared<const FreeSkin>(std::move(skin));
+  return spectra;
+}
+
+Spectrum SkinSpectra::reflectance(const ParameterVector& parameters,
+                                  const SkinConstants& constants) const {
+  if (skin_ == nullptr) return model_->reflectance(parameters);
+  const SkinConstants possible = skin_->places().clamped(constants);
+  const std::vector<double> values =
+      skin_->evaluate({&parameters, 1}, {&possible, 1}, false).reflectance;
+  return Eigen::Map<const Spectrum>(values.data());
+}
+
+}  // namespace cutis

@@ -1,0 +1,48 @@
+#pragma once  // internal to src/app/export
+
+// Where something is exported to, and the rules of sample type, colour space and overwriting that
+// hold for all that window and command line write.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "src/app/open/source.h"
+#include "src/images/codec/sample_type.h"
+
+namespace cutis {
+
+struct ExportTarget {
+  std::filesystem::path path;  // its extension names the format (src/images/image_formats.h)
+  // Of a picture; none: the source's where the format has it, else the most usual of the format.
+  std::optional<SampleType> sampleType = {};
+  // Of a picture, a name of src/color; empty: the source's where both or neither are integers, else
+  // sRGB in integers and Linear Rec.709 in floats.
+  std::string colorSpace = {};
+  // Files that were read, which are never written over.
+  std::vector<std::string> inputs = {};
+  // What was opened: an image, maps or a capture, which stands for all of its files. Never written
+  // over either.
+  std::vector<std::string> sources = {};
+};
+
+// Whether a picture could be written there, asked before any work is done: format, sample type,
+// colour space, folder, and that it is none of the inputs.
+Status checkPictureTarget(const ExportTarget& target);
+// The same for maps.
+Status checkMapsTarget(const ExportTarget& target);
+
+struct PictureEncoding {
+  SampleType sampleType = SampleType::half;
+  std::string colorSpace;  // canonical name
+};
+
+// By the rules above. image: of an albedo texture, with its colour space's canonical name; null for
+// pictures that come from no file. A notice where the file has other samples than the texture.
+Result<PictureEncoding> encodingFor(const ExportTarget& target, const ImageHeader* image,
+                                    const std::string& imageSpace, const JobContext& context);
+
+}  // namespace cutis

@@ -1,0 +1,67 @@
+#include "src/app/open/fit_remark.h"
+
+#include "core/analyse/diffusion_domain.h"
+#include "core/base/number_text.h"
+
+namespace cutis {
+namespace {
+
+// The exact setting bends the parameters to whatever is in the channels.
+constexpr double kExactResidual = 2e-4;
+// Of all pixels.
+constexpr double kMostNotSettled = 0.01;
+
+std::string percent(double share, int digits) {
+  return formatNumber(100.0 * share, digits) + " %";
+}
+
+}  // namespace
+
+std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
+                                 const std::vector<ConstantSummary>& constants, FitMethod method,
+                                 const NoiseModel& noise,
+                                 const std::optional<double>& outsideDiffusion,
+                                 const std::optional<ExposureChoice>& exposure) {
+  using enum FitRemark::Kind;
+  std::vector<FitRemark> remarks;
+  if (exposure) {
+    remarks.push_back(
+        {exposureChosen, "exposure " + formatNumber(exposure->exposure, 4) + " brings " +
+                             percent(exposure->inside, 3) +
+                             " of the pixels into the profile's range of skin colours"});
+  }
+  const FitStatistics::Pixels& pixels = statistics.pixels;
+  const double share =
+      static_cast<double>(pixels.noConvergence) / static_cast<double>(pixels.total);
+  if (pixels.solved + pixels.duplicate == 0) {
+    remarks.push_back(
+        {nothingFitted, "no pixel could be fitted; all are masked, black or saturated"});
+  } else if (share > kMostNotSettled) {
+    remarks.push_back(
+        {notSettled, percent(share, 2) + " of the pixels did not settle; their values are rough"});
+  }
+  if (outsideDiffusion.value_or(0.0) > kNoticeableOutside) {
+    remarks.push_back({FitRemark::Kind::outsideDiffusion,
+                       "in " + percent(*outsideDiffusion, 2) +
+                           " of the pixels the skin absorbs more visible light than it scatters, "
+                           "where diffusion, "
+                           "the layer optics of this profile, no longer holds; choose a profile by "
+                           "adding–doubling"});
+  }
+  for (const ConstantSummary& summary : constants) {
+    if (summary.openShare <= kMostlyAssumed) continue;
+    remarks.push_back({mostlyAssumed, std::string(constantName(summary.constant)) +
+                                          " is mostly what was assumed: these channels leave " +
+                                          percent(summary.openShare, 2) +
+                                          " of its uncertainty; photograph under more lights"});
+  }
+  if (method == FitMethod::refined && noise.isExact() && statistics.meanResidual > kExactResidual) {
+    remarks.push_back({inexact, "no skin meets these channels exactly (residual " +
+                                    formatNumber(statistics.meanResidual, 2) +
+                                    " on average), and without noise all of that goes into the "
+                                    "maps; give the noise model"});
+  }
+  return remarks;
+}
+
+}  // namespace cutis

@@ -1,0 +1,136 @@
+#include "src/files/measured_spectra_file.h"
+
+#include <QtTest>
+
+#include "tests/support/expect.h"
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+using Strings = std::vector<std::string>;
+using Numbers = std::vector<double>;
+
+Result<MeasuredSpectra> parse(std::string_view text, const WavelengthRange& range = {}) {
+  return parseMeasuredSpectra(text, "m.csv", range, 2, {});
+}
+
+class MeasuredSpectraTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void readsBothDirections_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("ids");
+    const auto row = [](const char* name, const char* text, const char* ids) {
+      QTest::newRow(name) << text << ids;
+    };
+    row("rows", "id,390,400,450.5,710\na,9,.1,.2,9\nb,9,.3,.4,9\n", "a b");
+    row("rows without names", "390,400,450.5,710\n9,.1,.2,9\n9,.3,.4,9\n", "1 2");
+    row("numbered rows", "record,400,450.5\n7,.1,.2\n8,.3,.4\n", "7 8");
+    row("large numbers", "record,400,450.5\n700,.1,.2\n800,.3,.4\n", "700 800");
+    row("named beside others", "site,Sample,400,450.5\nx,a,.1,.2\ny,b,.3,.4\n", "a b");
+    row("first of others", "site,age,400,450.5\nx,20,.1,.2\ny,30,.3,.4\n", "x y");
+    row("empty name", "id,400,450.5\n,.1,.2\nb,.3,.4\n", "1 b");
+    row("corner names wavelengths", "wavelength,400,450.5\n1,.1,.2\n2,.3,.4\n", "1 2");
+    row("units", "id,400nm,450.5 nm\na,.1,.2\nb,.3,.4\n", "a b");
+    row("columns", "nm,a,b\n390,9,9\n400,.1,.3\n450.5,.2,.4\n710,9,9\n", "a b");
+    row("columns without names", "400,.1,.3\n450.5,.2,.4\n", "1 2");
+    row("numbered columns", "nm,1,2\n400,.1,.3\n450.5,.2,.4\n", "1 2");
+    row("large numbered columns", "wavelength_nm,501,502\n400,.1,.3\n450.5,.2,.4\n", "501 502");
+    row("as a table program writes it",
+        "\xEF\xBB\xBF# skin\r\n\"id\",400,450.5\r\n\r\n\"a\",0.1, 2e-1\r\n# b\r\nb,+.3,.4", "a b");
+  }
+  void readsBothDirections() {
+    QFETCH(QString, text);
+    QFETCH(QString, ids);
+    const auto spectra = parse(text.toStdString());
+    EXPECT_OK(spectra);
+    QVERIFY((spectra.value().wavelengthsNm == Numbers{400.0, 450.5}));
+    QVERIFY((spectra.value().reflectances == Numbers{0.1, 0.2, 0.3, 0.4}));
+    QStringList found;
+    for (const std::string& id : spectra.value().ids)
+      found += QString::fromStdString(id);
+    QCOMPARE(found.join(' '), ids);
+  }
+
+  void theRangeIncludesItsEnds() {
+    const auto spectra = parse("id,400,500,600\na,.1,.2,.3\n", {500.0, 600.0});
+    EXPECT_OK(spectra);
+    QVERIFY((spectra.value().wavelengthsNm == Numbers{500.0, 600.0}));
+    QVERIFY((spectra.value().reflectances == Numbers{0.2, 0.3}));
+  }
+
+  // Instruments are noisy at their ends.
+  void negativeValuesOutsideTheRangeDoNotMatter() {
+    EXPECT_OK(parse("id,390,400,500\na,-.1,.2,.3\n"));
+  }
+
+  void errorsSayWhere_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("message");
+    const auto row = [](const char* name, const char* text, const char* message) {
+      QTest::newRow(name) << text << message;
+    };
+    row("comments only", "# nothing\n", "m.csv: the file has no rows");
+    row("semicolons", "id;400;500\na;0,1;0,2\n", "m.csv:1: fields are separated by semicolons");
+    row("tabs", "id\t400\t500\na\t.1\t.2\n", "m.csv:1: fields are separated by semicolons or tabs");
+    row("one column", "400\n500\n", "m.csv:1: there is one column only");
+    row("no wavelengths", "# c\nid,a,b\nx,.1,.2\n", "m.csv:2: there are no wavelengths");
+    row("micrometres", "id,0.4,0.5\na,.1,.2\n", "m.csv:1: there are no wavelengths");
+    row("no spectra", "id,400,500\n", "m.csv: there are no spectra");
+    row("misspelt wavelength", "id,4o0,500,600\na,.1,.2,.3\n",
+        "m.csv:1, column 2: '4o0' is no wavelength");
+    row("word among wavelengths", "id,400,x,600\na,.1,.2,.3\n",
+        "m.csv:1, column 3: 'x' is no wavelength");
+    row("unsorted", "id,500,400,600\na,.1,.2,.3\n",
+        "m.csv:1, column 3: the wavelength 400 follows on 500");
+    row("repeated", "nm,a\n400,.1\n500,.2\n500,.3\n",
+        "m.csv:4, column 1: the wavelength 500 follows on 500");
+    row("out of range", "id,800,900\na,.1,.2\n",
+        "m.csv:1: too few wavelengths lie from 400 to 700 nm: 0 where at least 2");
+    row("too few", "nm,a\n390,.1\n400,.2\n",
+        "m.csv:1: too few wavelengths lie from 400 to 700 nm: 1");
+    row("short row", "id,400,500\na,.1,.2\nb,.1\n", "m.csv:3: the row has 2 fields");
+    row("long row", "nm,a\n400,.1\n500,.2,.3\n", "m.csv:3: the row has 3 fields");
+    row("word", "id,400,500\na,.1,x\n", "m.csv:2, column 3: 'x' is not a finite number");
+    row("empty", "id,400,500\na,.1,\n", "m.csv:2, column 3: '' is not a finite number");
+    row("nan", "nm,a\n400,nan\n500,.1\n", "m.csv:2, column 2: 'nan' is not a finite number");
+    row("infinite", "id,400,500\na,inf,.1\n", "m.csv:2, column 2: 'inf' is not a finite number");
+    row("nan outside the range", "id,390,400,500\na,nan,.1,.2\n", "m.csv:2, column 2: 'nan'");
+    row("negative", "id,400,500\n\na,.1,-.2\n",
+        "m.csv:3, column 3: the reflectance -0.2 is negative");
+    row("percent", "id,400,500\na,37.5,41\n",
+        "m.csv:2, column 2: the reflectance 37.5 is no share from 0 to 1; divide percent by 100");
+  }
+  void errorsSayWhere() {
+    QFETCH(QString, text);
+    QFETCH(QString, message);
+    const auto spectra = parse(text.toStdString());
+    EXPECT_ERROR(spectra, message.toStdString());
+    QVERIFY(spectra.error().kind == ErrorKind::input);
+  }
+
+  void readsFilesByName() {
+    const test::ScratchFolder folder;
+    const auto good = folder.write("good.csv", "id,400,500\na,.1,.2\n");
+    EXPECT_OK(readMeasuredSpectra(good, {}, 2, {}));
+    EXPECT_ERROR(readMeasuredSpectra(folder / "gone.csv", {}, 2, {}), "there is no such file");
+  }
+
+  void stopsWhenAsked() {
+    std::stop_source source;
+    source.request_stop();
+    JobContext context;
+    context.stop = source.get_token();
+    QVERIFY(parseMeasuredSpectra("id,400,500\na,.1,.2\n", "m.csv", {}, 2, context).cancelled());
+  }
+};
+
+CUTIS_TEST(MeasuredSpectraTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "measured_spectra_file_test.moc"

@@ -1,0 +1,218 @@
+// The editor's tables of commands and docks, by keys and menus, on the embedded sample.
+
+#include <memory>
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTimer>
+
+#include "tests/support/scratch_folder.h"
+#include "tests/support/test_registry.h"
+#include "tests/ui/ui_test.h"
+#include "ui/commands/command_registry.h"
+#include "ui/dialogs/open_controller.h"
+#include "ui/dialogs/training_controller.h"
+#include "ui/docks/edit_controller.h"
+#include "ui/docks/workspace.h"
+#include "ui/view/view_controller.h"
+#include "ui/view/viewport.h"
+#include "ui/window/main_window.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kPatienceMs = 120000;
+
+class CommandsTest : public test::UiTest {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
+                       QString::fromStdString(folder_.path().string()));
+    QCoreApplication::setOrganizationName("cutis-test");
+  }
+
+  void idsAndShortcutsAreUnique() {
+    QStringList ids, shortcuts;
+    for (const CommandDescription& command : window_->commands().all()) {
+      ids << command.id;
+      for (const QKeySequence& keys : command.shortcuts)
+        shortcuts << keys.toString();
+    }
+    QVERIFY(ids.size() > 20);
+    QCOMPARE(ids.removeDuplicates(), 0);
+    QCOMPARE(shortcuts.removeDuplicates(), 0);
+  }
+
+  void everyCommandIsInOneMenuAndHasAShortcut() {
+    QList<QAction*> inMenus;
+    for (const QAction* menu : window_->menuBar()->actions())
+      inMenus << menu->menu()->actions();
+    for (const CommandDescription& command : window_->commands().all()) {
+      const QAction* action = window_->commands().action(command.id);
+      QVERIFY2(inMenus.count(action) == 1, qPrintable(command.id));
+      QVERIFY2(!command.shortcuts.isEmpty(), qPrintable(command.id));
+      QVERIFY2(!command.shortcuts.first().isEmpty(), qPrintable(command.id));
+    }
+  }
+
+  void everyDockHasItsCommand() {
+    for (const DockDescription& dock : window_->workspace().all()) {
+      const QAction* action = window_->commands().action("dock." + dock.id);
+      QVERIFY2(action != nullptr, qPrintable(dock.id));
+      QCOMPARE(action->shortcut(), dock.shortcut);
+    }
+  }
+
+  // And nothing else can be done.
+  void whileNothingIsOpenCommandsSayWhy() {
+    const QStringList always = {"file.openSample", "file.openCapture", "file.openImage",
+                                "file.quit", "help.about"};
+    for (const CommandDescription& command : window_->commands().all()) {
+      const QAction* action = window_->commands().action(command.id);
+      QVERIFY2(action->isEnabled() == always.contains(command.id), qPrintable(command.id));
+      QVERIFY2(action->isEnabled() || action->toolTip() == command.objection(),
+               qPrintable(command.id));
+    }
+  }
+
+  void everyShortcutRunsItsCommand() {
+    openSample();
+    QTimer closer;  // of the dialogs that commands open
+    connect(&closer, &QTimer::timeout, [] {
+      if (QWidget* dialog = QApplication::activeModalWidget()) dialog->close();
+    });
+    closer.start(50);
+    for (const CommandDescription& command : window_->commands().all()) {
+      if (command.id == "file.quit") continue;
+      for (const QKeySequence& keys : command.shortcuts) {
+        prepare();
+        QSignalSpy run(window_->commands().action(command.id), &QAction::triggered);
+        QTest::keySequence(&window_->viewport(), keys);
+        QVERIFY2(run.count() == 1, qPrintable(command.id + " by " + keys.toString()));
+        window_->training().stop();
+        waitUntilIdle();
+      }
+    }
+  }
+
+  void quittingClosesTheWindow() {
+    QTest::keyClick(window_.get(), Qt::Key_Q, Qt::ControlModifier);
+    QVERIFY(!window_->isVisible());
+  }
+
+  void thePictureKeepsItsLetters() {
+    openSample();
+    Viewport& viewport = window_->viewport();
+    QTest::keyClick(&viewport, Qt::Key_1);
+    QCOMPARE(viewport.zoom(), 1.0);
+    QTest::keyClick(&viewport, Qt::Key_Plus);
+    QVERIFY(viewport.zoom() > 1.0);
+    QTest::keyClick(&viewport, Qt::Key_F);
+    QVERIFY(viewport.fitted());
+    // Elsewhere they are typed.
+    QComboBox* lights = nullptr;
+    for (QComboBox* box : window_->findChildren<QComboBox*>()) {
+      if (box->accessibleName() == "Light source") lights = box;
+    }
+    QTest::keyClick(&viewport, Qt::Key_1);
+    lights->setFocus();
+    QTest::keyClick(lights, Qt::Key_F);
+    QVERIFY(lights->currentText().startsWith("FL"));
+    QCOMPARE(viewport.zoom(), 1.0);
+  }
+
+  void textsFollowWhatCanBeUndone() {
+    openSample();
+    window_->edits().setFactor(kMelanin, 1.4, false);
+    const QAction* undo = window_->commands().action("edit.undo");
+    QVERIFY(undo->text().contains("Melanin"));
+    QVERIFY(window_->commands().run("edit.undo").isEmpty());
+    QVERIFY(!undo->isEnabled());
+    QCOMPARE(undo->toolTip(), window_->commands().run("edit.undo"));
+  }
+
+  void theLayoutIsRemembered() {
+    openSample();
+    window_->workspace().dock("spectrum")->setFloating(true);
+    window_->commands().run("dock.views");
+    window_->close();
+    restart();
+    openSample();
+    QVERIFY(window_->workspace().dock("spectrum")->isFloating());
+    QVERIFY(window_->workspace().dock("views")->isHidden());
+    QVERIFY(!window_->commands().action("dock.views")->isChecked());
+    QVERIFY(window_->commands().run("dock.resetLayout").isEmpty());
+    QVERIFY(!window_->workspace().dock("spectrum")->isFloating());
+    QTRY_VERIFY(window_->commands().action("dock.views")->isChecked());
+  }
+
+  // Closed before anything was opened.
+  void aLayoutOutlivesARunWithoutDocument() {
+    openSample();
+    window_->commands().run("dock.light");
+    window_->close();
+    restart();
+    window_->close();
+    restart();
+    openSample();
+    QVERIFY(window_->workspace().dock("light")->isHidden());
+  }
+
+  void aBrokenLayoutIsIgnored() {
+    QSettings().setValue("layout", QByteArray(500, '\x7f'));
+    QSettings().setValue("geometry", QByteArray(500, '\x7f'));
+    restart();
+    openSample();
+    for (const DockDescription& dock : window_->workspace().all())
+      QVERIFY2(!window_->workspace().dock(dock.id)->isHidden(), qPrintable(dock.id));
+  }
+
+ private:
+  void setUp() override {
+    QSettings().clear();
+    restart();
+  }
+  void tearDown() override { window_.reset(); }
+
+  void restart() {
+    window_.reset();
+    window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(folder_ / "cache"));
+    window_->resize(1280, 900);
+    window_->show();
+  }
+  void waitUntilIdle() {
+    QTest::qWait(10);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
+  }
+  void openSample() {
+    window_->opener().openSample();
+    waitUntilIdle();
+    QVERIFY(window_->document().isFitted());
+  }
+  // Something to undo and something to redo, and the keyboard in the picture.
+  void prepare() {
+    window_->edits().setFactor(kMelanin, 1.4, false);
+    window_->edits().setFactor(kMelanin, 1.6, false);
+    window_->document().undo();
+    window_->viewport().setFocus();
+    waitUntilIdle();
+  }
+
+  test::ScratchFolder folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+CUTIS_TEST(CommandsTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "commands_test.moc"

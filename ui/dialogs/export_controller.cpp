@@ -1,0 +1,62 @@
+#include "ui/dialogs/export_controller.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "src/app/document/document.h"
+#include "src/app/export/export.h"
+#include "ui/dialogs/format_filters.h"
+#include "ui/widgets/progress_strip.h"
+
+namespace cutis {
+namespace {
+
+constexpr std::size_t kMemoryForExport = std::size_t{1} << 30;
+
+}  // namespace
+
+ExportController::ExportController(Document& document, Engine& engine, JobRunner& jobs,
+                                   ProgressStrip& progress, QWidget* window)
+    : QObject(window),
+      document_(document),
+      engine_(engine),
+      jobs_(jobs),
+      progress_(progress),
+      window_(window) {}
+
+QString ExportController::objection() const {
+  if (!document_.isOpen()) return tr("Nothing is open yet");
+  if (document_.scene().source == nullptr) {
+    return tr("Maps alone hold no albedo; open the photographs they were fitted to");
+  }
+  return document_.isFitted() ? QString() : tr("The skin has not been fitted yet");
+}
+
+void ExportController::exportAlbedo(const QString& path) {
+  const Scene& scene = document_.scene();
+  ExportTarget target = {std::filesystem::path(path.toStdString())};
+  for (const std::filesystem::path& file : document_.sourceFiles())
+    target.sources.push_back(file.string());
+  jobs_.start(tr("Export %1").arg(QFileInfo(path).fileName()),
+              [this, path, target,
+               albedo = EditedAlbedo{scene, scene.source}](const JobRunner::Handle& job) {
+                const auto store = std::make_shared<TileStore>(kMemoryForExport);
+                const ExportOutcome outcome =
+                    exportWithNotes(target, albedo, engine_, store, job.context);
+                if (outcome.status.cancelled()) return;
+                const bool failed = outcome.status.failed();
+                QString sentence = failed ? QString::fromStdString(outcome.status.error().text())
+                                          : tr("Written: %1").arg(path);
+                for (const std::string& note : outcome.notes)
+                  sentence += "; " + QString::fromStdString(note);
+                job.post([this, sentence, failed] { progress_.showMessage(sentence, failed); });
+              });
+}
+
+void ExportController::choose() {
+  const QString file = QFileDialog::getSaveFileName(window_, tr("Export edited albedo"),
+                                                    "edited_albedo.exr", writableImageFilters());
+  if (!file.isEmpty()) exportAlbedo(file);
+}
+
+}  // namespace cutis

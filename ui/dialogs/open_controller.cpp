@@ -1,0 +1,66 @@
+#include "ui/dialogs/open_controller.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSettings>
+
+#include "src/app/document/document.h"
+#include "ui/dialogs/format_filters.h"
+#include "ui/widgets/progress_strip.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kMostRecentFiles = 8;
+constexpr char kRecentFiles[] = "recentFiles";
+
+}  // namespace
+
+OpenController::OpenController(Document& document, ProgressStrip& progress, QWidget* window)
+    : QObject(window), document_(document), progress_(progress), window_(window) {
+  connect(&document, &Document::opened, this, &OpenController::remember);
+}
+
+void OpenController::openSample() {
+  progress_.clearMessages();
+  document_.openSample();
+}
+
+void OpenController::open(const QString& path) {
+  progress_.clearMessages();
+  document_.open(std::filesystem::path(path.toStdString()));
+}
+
+void OpenController::chooseCapture() {
+  const QString file = QFileDialog::getOpenFileName(window_, tr("Open capture"), {},
+                                                    tr("Captures (capture.json);;All files (*)"));
+  if (!file.isEmpty()) open(file);
+}
+
+void OpenController::chooseImage() {
+  const QString file =
+      QFileDialog::getOpenFileName(window_, tr("Open image or maps"), {},
+                                   tr("Images (%1);;All files (*)").arg(readableImagePatterns()));
+  if (!file.isEmpty()) open(file);
+}
+
+void OpenController::remember() {
+  QSettings settings;
+  QStringList files = settings.value(kRecentFiles).toStringList();
+  for (const auto& source : document_.sourceFiles()) {
+    const QString file = QFileInfo(QString::fromStdString(source.string())).absoluteFilePath();
+    files.removeAll(file);
+    files.prepend(file);
+  }
+  settings.setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
+}
+
+QStringList OpenController::recentFiles() const {
+  QStringList existing;
+  for (const QString& file : QSettings().value(kRecentFiles).toStringList()) {
+    if (QFileInfo::exists(file)) existing << file;
+  }
+  return existing;
+}
+
+}  // namespace cutis
