@@ -14,7 +14,6 @@
 namespace cutis {
 
 // By PixelState.
-inline constexpr std::size_t kPixelStateCount = 5;
 using StateCounts = std::array<std::size_t, kPixelStateCount>;
 
 // state: as in ChromophoreMaps and Measurements. Values that are no state are passed over.

@@ -5,6 +5,7 @@
 // Planes, and files with them, hold it as a number. These functions are the only way between the
 // two. Thread-safe: pure functions.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace cutis {
@@ -17,7 +18,7 @@ enum class PixelState : std::uint8_t {
   saturated = 3,      // clipped in a photograph
   noConvergence = 4,  // solved as well as the iteration limit allowed
 };
-inline constexpr int kPixelStateCount = 5;
+inline constexpr std::size_t kPixelStateCount = 5;
 
 constexpr float storedState(PixelState state) {
   return static_cast<float>(state);
