@@ -1,6 +1,6 @@
 #pragma once
 
-// What a fit found of the free constants, and how much of it the channels told.
+// What a fit found of the free constants, and how much of it the channels determined.
 //
 // Looked at is a regular sample of the pixels with an estimate, at most about 16,000 and all of a
 // small picture. Deterministic; a fraction of a second.

@@ -11,9 +11,9 @@
 namespace cutis {
 namespace {
 
-constexpr std::size_t kMostPixels = 16384;
+constexpr std::size_t kDomainPixels = 16384;
 // Pixels whose absorptions are in memory at once.
-constexpr std::size_t kBatch = 1024;
+constexpr std::size_t kDomainBatch = 1024;
 constexpr int kStepNm = 10;
 
 std::vector<int> visibleSamples() {
@@ -49,14 +49,14 @@ Result<std::optional<double>> shareOutsideDiffusion(const ChromophoreMaps& maps,
                                                     const Profile& profile,
                                                     const JobContext& context) {
   if (profile.layerOptics != LayerOpticsKind::diffusion) return std::optional<double>();
-  CUTIS_TRY(sample, sampleMaps(maps, kMostPixels, context));
+  CUTIS_TRY(sample, sampleMaps(maps, kDomainPixels, context));
   if (sample.count == 0) return std::optional<double>();
   const auto optics = makeDiffusionOptics(profile);
   const std::vector<int> samples = visibleSamples();
   const FreeAbsorption absorption(profile, samples, maps.free().oxygenation);
   std::size_t outside = 0;
-  for (std::size_t first = 0; first < sample.count; first += kBatch) {
-    const std::size_t count = std::min(kBatch, sample.count - first);
+  for (std::size_t first = 0; first < sample.count; first += kDomainBatch) {
+    const std::size_t count = std::min(kDomainBatch, sample.count - first);
     const Pixels pixels(sample, maps.free(), profile, first, count);
     const auto layers = absorption.at(pixels.parameters, pixels.oxygenations);
     for (std::size_t i = 0; i < count; ++i) {

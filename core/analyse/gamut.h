@@ -22,7 +22,7 @@ namespace cutis {
 
 struct GamutStatistics {
   double outsideShare = 0.0;  // of the pixels looked at
-  // Over the pixels inside; only of albedo textures, and only if there are any.
+  // The median over the pixels inside; only of albedo textures, and only if there are any.
   std::optional<double> medianDeltaE;
 };
 

@@ -36,7 +36,7 @@ struct Spread {
 struct Identifiability {
   // Posterior over prior deviation: 0 is known, 1 is guessed.
   std::array<Spread, kParameterCount> left;
-  // Of the people, where the measurement at least halves the prior's deviation.
+  // The share of people for whom the measurement at least halves the prior's deviation.
   std::array<double, kParameterCount> decidedShare = {};
   // Root mean square deviation of the predicted reflectance.
   double visible = 0.0;       // 400–700 nm

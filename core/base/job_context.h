@@ -1,6 +1,6 @@
 #pragma once
 
-// What a long operation is given besides its inputs: a way to be told to stop, a place to report
+// What a long operation is given besides its inputs: a way to be asked to stop, a place to report
 // progress and a place to say something the user should know although all went well.
 
 #include <functional>

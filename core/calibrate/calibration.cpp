@@ -25,8 +25,8 @@ constexpr double kRelativeGain = 5e-4;
 constexpr double kAbsoluteGain = 1e-6;
 constexpr int kMaximumAttempts = 8;
 constexpr double kFirstDamping = 1e-3;
-// Of a constant's range. The layer tables of two points differ by up to 1e-5 in what they leave
-// out, which shorter steps would take for a derivative.
+// A share of a constant's range. The layer tables of two points differ by up to 1e-5 in what they
+// leave out, which shorter steps would take for a derivative.
 constexpr double kDerivativeStep = 5e-3;
 constexpr double kLongestStep = 0.3;
 

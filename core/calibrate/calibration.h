@@ -9,9 +9,9 @@
 //   Σ_aims (rms of modelled(c, p(c)) − measured, over the aim's wavelengths and the set's spectra)²
 //          / aim²  +  pull · Σ_j ((c_j − expected_j) / deviation_j)²
 //
-// where the second sum keeps constants that the spectra hardly tell near what is known of them.
-// Damped Gauss–Newton over c with p eliminated (variable projection: Golub & Pereyra 1973, in the
-// form of Kaufman 1975); derivatives by constants are differences.
+// where the second sum keeps constants that the spectra hardly determine near what is known of
+// them. Damped Gauss–Newton over c with p eliminated (variable projection: Golub & Pereyra 1973, in
+// the form of Kaufman 1975); derivatives by constants are differences.
 //
 // Wavelengths are positions on the grid, reflectances shares as measured. Thread-safe: pure
 // functions; the result is the same for any number of threads.
@@ -83,8 +83,8 @@ struct Calibration {
   bool converged = false;
 };
 
-// From a start within the bounds. Preconditions: as stated above; each set has spectra and at least
-// kParameterCount samples in the fitted range. Cancelled if asked to. About 1 s a round and
+// Begins at a start within the bounds. Preconditions: as stated above; each set has spectra and at
+// least kParameterCount samples in the fitted range. Cancelled if asked to. About 1 s a round and
 // thousand spectra on one core, and what the layer tables of a round take.
 Result<Calibration> calibrate(const CalibrationProblem& problem, const std::vector<double>& start,
                               const JobContext& context);

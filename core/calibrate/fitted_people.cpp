@@ -22,7 +22,7 @@ constexpr double kAtBound = 1e-9;
 // Added to the diagonal of the people's normal equations, as a share of its mean: what does not act
 // on a spectrum stays in place.
 constexpr double kRidge = 1e-10;
-// Of a parameter's range, for second derivatives.
+// A share of a parameter's range, for second derivatives.
 constexpr double kPersonStep = 1e-5;
 
 // How much each sample's squared residual of a spectrum counts.
@@ -41,7 +41,7 @@ VectorXd weightsOf(const SpectraSet& set) {
   return weights;
 }
 
-// Without starts: the best of several searches each.
+// Without starts, the best of several searches is kept for each person.
 Result<SetPeople> searchPeople(const PointModel& model, std::size_t set, const SpectraSet& spectra,
                                const JobContext& context) {
   const std::vector<Index> rows = fittedRows(spectra);

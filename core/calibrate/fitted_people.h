@@ -18,8 +18,9 @@ namespace cutis {
 // Parameters of each spectrum of a set.
 using SetPeople = std::vector<ParameterVector>;
 
-// Of a spectrum the parameters that come closest within the fitted range; from `starts`, one per
-// spectrum, or where that is empty from several of the box. Cancelled or out of memory.
+// The parameters that come closest to each spectrum within the fitted range. Searches begin at
+// `starts`, one per spectrum, or where that is empty at several points of the box. Errors: out of
+// memory. Cancelled if asked to stop.
 Result<SetPeople> fitPeople(const PointModel& model, std::size_t set, const SpectraSet& spectra,
                             const SetPeople& starts, const JobContext& context);
 

@@ -5,7 +5,7 @@
 // Expectation maximisation of a normal distribution of the prior's coordinates (logarithms where it
 // has them): each round every person is estimated under the prior of the round before, and the new
 // mean and covariance are those of the estimates, with their posterior covariances added, so that
-// what spectra do not tell does not shrink the spread (Dempster, Laird & Rubin 1977).
+// what spectra do not determine does not shrink the spread (Dempster, Laird & Rubin 1977).
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"

@@ -29,7 +29,7 @@ struct PixelError {
   ParameterVector parameters = ParameterVector::Zero();  // estimated minus true
 };
 
-// Of a number of pixels.
+// The errors of a number of pixels together.
 struct ErrorSummary {
   std::size_t pixels = 0;
   double visibleMse = 0.0;

@@ -13,7 +13,7 @@ constexpr double kExactNodeTolerance = 1e-6;
 // valley, which the fit can only follow if it is not all too narrow. Channels are met to a small
 // part of this.
 constexpr double kExactNoiseOfFewChannels = 1e-5;
-// A channel within this share of a mixture of the others tells nothing of its own.
+// A channel within this share of a mixture of the others adds nothing of its own.
 constexpr double kSameChannel = 1e-6;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a refined fit takes for granted of the channels: which of them tell something, how noisy
+// What a refined fit takes for granted of the channels: which of them see something, how noisy
 // they are, and how exactly their sums at spectral nodes must hold.
 //
 // Thread-safe: pure functions.
@@ -23,7 +23,7 @@ bool asksForExact(const Rig& rig, const FitOptions& options);
 int unknownCount(const FitOptions& options);
 // Channels that see something.
 int seeingChannelCount(const Rig& rig);
-// Of these, how many are no mixture of the others: a grey camera has one for each light.
+// How many of these are no mixture of the others: a grey camera has one for each light.
 int independentChannelCount(const Rig& rig);
 
 // The options' noise or the rig's; never none, which stands for the least there is.

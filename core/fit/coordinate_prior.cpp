@@ -10,7 +10,7 @@
 namespace cutis {
 namespace {
 
-// Of the parameters in `free`, given where the others are.
+// Mean and precision of the parameters in `free`, given where the others are.
 void condition(const std::vector<int>& free, const ParameterVector& away,
                const ParameterMatrix& precision, CoordinatePrior& conditioned) {
   const auto count = static_cast<Eigen::Index>(free.size());

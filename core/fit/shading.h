@@ -12,7 +12,7 @@
 
 namespace cutis {
 
-// Of a face without its shadows, and what --shading assumes.
+// The standard deviation over a face without cast shadows, which --shading assumes.
 inline constexpr double kUsualShadingDeviation = 0.25;
 
 struct ShadingModel {

@@ -9,7 +9,7 @@
 namespace cutis {
 namespace {
 
-// Of the middles; four times the square of the distance.
+// Four times the square of the distance between the middles.
 std::int64_t squaredDistance(const Rect& a, const Rect& b) {
   const std::int64_t dx = std::int64_t{a.x0} + a.x1 - b.x0 - b.x1;
   const std::int64_t dy = std::int64_t{a.y0} + a.y1 - b.y0 - b.y1;

@@ -17,8 +17,8 @@ class ChebyshevWeights {
   int count() const { return static_cast<int>(points_.size()); }
   const std::vector<double>& points() const { return points_; }
 
-  // Of many x, [point][x]: f(x) = Σ weights[k] f(points[k]) and f'(x) = Σ slopes[k] f(points[k]).
-  // NaN gives NaN; each x for itself.
+  // The weights for many x, [point][x]: f(x) = Σ weights[k] f(points[k]) and f'(x) = Σ slopes[k]
+  // f(points[k]). NaN gives NaN; each x for itself.
   struct At {
     std::vector<double> weights, slopes;
   };

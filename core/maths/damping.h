@@ -12,7 +12,7 @@ class Damping {
   // Never less than this: from there, fewer refusals lead to short steps.
   explicit Damping(double least) : least_(least) {}
 
-  // By this share the diagonal of the normal matrix grows.
+  // The share by which the diagonal of the normal matrix grows.
   double value() const { return value_; }
 
   // A step lowered the cost by `gained` (≥ 0) where the quadratic promised `promised`.

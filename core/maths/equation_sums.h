@@ -70,7 +70,7 @@ class EquationSums {
   }
 
  private:
-  // Of the lower triangle of the hessian, the slopes and the cost.
+  // Sums of a set: the lower triangle of the hessian, the slopes and the cost.
   static constexpr std::size_t kSums = N * (N + 1) / 2 + N + 1;
 
   std::size_t count_;

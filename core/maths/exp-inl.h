@@ -22,7 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V ExpTail(D d, V r) {
   if constexpr (sizeof(hn::TFromD<D>) == 4) {
-    // In pairs (Estrin), for the latency.
+    // Terms are added in pairs (Estrin), for the latency.
     const V r2 = hn::Mul(r, r);
     const V low = hn::MulAdd(r, hn::Set(d, 1.6666521e-1f), hn::Set(d, 4.9999993e-1f));
     const V high = hn::MulAdd(r, hn::Set(d, 8.3687170e-3f), hn::Set(d, 4.1668388e-2f));

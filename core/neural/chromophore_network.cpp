@@ -67,7 +67,7 @@ Result<Photographs> takePhotographs(const SkinModel& model, const NetworkChannel
   return result;
 }
 
-// To uncorrelated inputs of mean 0 and variance 1; directions without variance stay small.
+// Leads to uncorrelated inputs of mean 0 and variance 1; directions without variance stay small.
 DenseLayer whitening(const MatrixXd& logInputs) {
   const Eigen::RowVectorXd mean = logInputs.colwise().mean();
   const MatrixXd centred = logInputs.rowwise() - mean;
@@ -117,7 +117,7 @@ Status checkArguments(const SkinModel& model, const NetworkChannels& channels,
       validateTraining(options.hidden, options.activation, options.people, options.trainer, place));
   CUTIS_CHECK(validate(spectra, place));
   if (!alike(spectra.profile, signatureOf(model.profile()))) {
-    return inputError(place, "the SpectraNN was trained for another profile; train it anew");
+    return inputError(place, "the SpectraNN was trained for another profile; train it again");
   }
   if (channels.inputCount() < 1 || channels.inputCount() > kMaximumUnits) {
     return inputError(place, "a network takes 1 to " + std::to_string(kMaximumUnits) +
@@ -127,7 +127,7 @@ Status checkArguments(const SkinModel& model, const NetworkChannels& channels,
     return inputError(place, "the combination of channels does not fit the channels");
   }
   if (channels.names.size() != static_cast<std::size_t>(channels.inputCount())) {
-    return inputError(place, "there is not one name for each input");
+    return inputError(place, "the number of input names differs from that of the inputs");
   }
   return {};
 }
@@ -173,7 +173,7 @@ Result<ChromophoreNetwork> trainChromophoreNetwork(const SkinModel& model,
                             "ChromNN", state));
   if (!endsIn(state.network, judge) || !endsIn(state.best, judge)) {
     return inputError("ChromNN",
-                      "the state of training has another SpectraNN; start anew without it");
+                      "the state of training belongs to another SpectraNN; start again without it");
   }
   CUTIS_CHECK(
       trainNetwork(set, {0, trained}, options.trainer, state, context.child(0.1, 1.0), onEpoch));

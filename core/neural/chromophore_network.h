@@ -36,9 +36,9 @@ Status validate(const ChromophoreNetwork& network, const std::string& place);
 struct ChromophoreNetworkOptions {
   std::vector<int> hidden = {32, 32};
   Activation activation = Activation::squareplus;
-  // Of the photographs that are learned from. Each person has a share of it, drawn evenly from 0
-  // to 1. Without any noise the network becomes up to ten times as accurate on noiseless channels
-  // and useless on all others.
+  // The noise of the photographs that are learned from. Each person has a share of it, drawn evenly
+  // from 0 to 1. Without any noise the network becomes up to ten times as accurate on noiseless
+  // channels and useless on all others.
   NoiseModel noise;
   TrainingPeople people = {.seed = 11};
   TrainerOptions trainer = {.rate = 0.02, .weightDecay = 0.0, .epochs = 40};

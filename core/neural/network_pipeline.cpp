@@ -65,7 +65,7 @@ Result<NetworkPipeline> NetworkPipeline::encoderDecoder(const ChromophoreNetwork
   if (!alike(chromophores.profile, spectra.profile)) {
     return inputError("",
                       "ChromNN and SpectraNN were trained for different profiles; train one of "
-                      "them anew");
+                      "them again");
   }
   const DenseNetwork front = merged(chromophores.network);
   const DenseNetwork back = withRows(spectra, rows);

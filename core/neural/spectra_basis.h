@@ -27,7 +27,7 @@ struct SpectraBasis {
   // One per column, kSampleCount × kMaximumComponents, orthonormal, the largest variance first. The
   // entry of largest magnitude in a component is positive.
   Eigen::MatrixXd components;
-  // Of the weights over the table, decreasing; all kSampleCount of them.
+  // Variances of the weights over the table, decreasing; all kSampleCount of them.
   Eigen::VectorXd variances;
   std::int64_t spectra = 0;  // how many there were
 

@@ -67,7 +67,7 @@ DenseNetwork freshSpectraNetwork(int components, const SpectraNetworkOptions& op
   return randomNetwork(sizes, options.activation, Activation::linear, options.trainer.seed);
 }
 
-// With the scalings around it.
+// The network with the scalings around it.
 DenseNetwork complete(const DenseNetwork& trained, const Eigen::VectorXd& units) {
   const Eigen::MatrixXd scale =
       kCoordinateScale * Eigen::MatrixXd::Identity(kParameterCount, kParameterCount);

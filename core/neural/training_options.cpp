@@ -19,7 +19,7 @@ Status validateTraining(const std::vector<int>& hidden, Activation activation,
   }
   if (activation == Activation::linear) {
     return inputError(place,
-                      "hidden layers need an activation that bends; use relu, sigmoid or "
+                      "hidden layers need a nonlinear activation; use relu, sigmoid or "
                       "squareplus");
   }
   if (people.count < 1'000 || people.count > 10'000'000) {
@@ -34,7 +34,8 @@ Status validateTraining(const std::vector<int>& hidden, Activation activation,
 Status beginTraining(const DenseNetwork& fresh, const std::string& place, TrainingState& state) {
   if (state.network.layers.empty()) state.network = fresh;
   if (sameShape(state.network, fresh)) return {};
-  return inputError(place, "the state of training is of another network; start anew without it");
+  return inputError(place,
+                    "the state of training belongs to another network; start again without it");
 }
 
 Status validateAxes(const ParameterAxes& axes, const std::string& place) {

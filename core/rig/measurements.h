@@ -33,7 +33,7 @@ struct Measurements {
   int height() const { return state.height(); }
 };
 
-// What a pixel's channels say about it before any fit. `mask` zero leaves it out; `clipped` tells
+// What a pixel's channels say about it before any fit. `mask` zero leaves it out; `clipped` says
 // that a source pixel was at the end of its range; not finite, negative and all-black are invalid.
 PixelState classify(std::span<const float> channels, float mask, bool clipped);
 

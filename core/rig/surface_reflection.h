@@ -18,7 +18,7 @@
 
 namespace cutis {
 
-// Of channels from which the reflection was taken: it is gone, and its noise is not.
+// The noise of channels from which the reflection was taken: it is gone, and its noise is not.
 NoiseModel noiseBelowSurface(const NoiseModel& noise, const MeasurementGeometry& geometry);
 
 // Replaces the channels, and the noise of the rig. What is darker than the reflection alone becomes

@@ -26,7 +26,7 @@ struct ChromophoreMaps {
                   const std::shared_ptr<TileStore>& store = nullptr,
                   const FreeConstants& free = {});
 
-  // Of which constants there is a plane.
+  // The constants of which there is a plane.
   FreeConstants free() const {
     return {!constants[kOxygenation].empty(), !constants[kThickness].empty()};
   }

@@ -14,7 +14,7 @@
 namespace cutis {
 
 struct RgbPrimaries {
-  // Of the space that is linear in these primaries.
+  // The name of the colour space that is linear in these primaries.
   std::string_view name;
   // x, y of red, green, blue and white: the order of the EXR attribute `chromaticities`.
   std::array<double, 8> chromaticities;
@@ -50,8 +50,8 @@ inline Eigen::Matrix3d xyzFromRgb(const RgbPrimaries& rgb) {
   return primaries * scale.asDiagonal();
 }
 
-// From one linear RGB space to another, white onto white (Bradford), as the ACES and OpenColorIO
-// matrices do it.
+// The matrix from one linear RGB space to another, white onto white (Bradford), as the ACES and
+// OpenColorIO matrices do it.
 inline Eigen::Matrix3d rgbFromRgb(const RgbPrimaries& to, const RgbPrimaries& from) {
   return xyzFromRgb(to).inverse() *
          adaptationMatrix(ChromaticAdaptation::bradford, from.xyzOfWhite(), to.xyzOfWhite()) *

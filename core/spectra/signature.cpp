@@ -39,7 +39,7 @@ SignatureBuilder& SignatureBuilder::add(double value) {
   return *this;
 }
 
-// As one whole number below 2²⁰, which a float holds.
+// A text counts as one whole number below 2²⁰, which a float holds.
 SignatureBuilder& SignatureBuilder::add(std::string_view text) {
   std::uint64_t bits = text.size();
   for (const char c : text)

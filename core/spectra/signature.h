@@ -15,14 +15,15 @@ namespace cutis {
 
 using Signature = std::vector<float>;
 
-// Of a number, or of a spectrum's sum, below which two signatures are of one thing: ten times what
-// a float rounds away, and a thousandth of what a photograph can tell.
+// The share of a number, or of a spectrum's sum, below which two signatures are of one thing: ten
+// times what a float rounds away, and a thousandth of what a photograph can distinguish.
 inline constexpr float kSignatureTolerance = 1e-6f;
 
-// Numbers by which a spectrum is told.
+// Numbers by which a spectrum is recognised.
 inline constexpr int kSignatureProbes = 8;
 
-// As many numbers, and each pair within the tolerance, relative to the larger. NaN is like nothing.
+// Whether they have as many numbers, each pair within the tolerance, relative to the larger. NaN is
+// like nothing.
 bool alike(const Signature& a, const Signature& b);
 
 // Takes what ContentHash takes (core/base/content_hash.h), in the same way.

@@ -11,7 +11,7 @@ namespace cutis {
 struct SpectralCurve {
   // Strictly increasing, at least one.
   std::vector<double> wavelengthsNm;
-  // As many, in any unit.
+  // As many values, in any unit.
   std::vector<double> values;
 };
 

@@ -26,7 +26,7 @@ struct NodeOptions {
 struct SpectralNodes {
   std::vector<int> samples;  // positions on the grid, increasing
   Eigen::MatrixXd weights;   // rows × nodes
-  // Over the spectra set aside for checking, in the unit of the rows.
+  // Errors over the spectra set aside for checking, in the unit of the rows.
   double rmsError = 0.0;
   double worstError = 0.0;
 };

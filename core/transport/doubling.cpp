@@ -8,8 +8,8 @@ namespace cutis {
 namespace {
 
 constexpr double kThinnest = 0.5;  // √E h where doubling starts
-// As thick as any layer can be told from: e^(−2 k h) is gone for the slowest decay k ≈ 1e-6 of an
-// albedo of 1 − 1e-12.
+// Thicker layers cannot be told from this one: e^(−2 k h) is gone for the slowest decay k ≈ 1e-6 of
+// an albedo of 1 − 1e-12.
 constexpr double kThickest = 3e7;
 constexpr double kSettled = 1e-14;
 

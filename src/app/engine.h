@@ -43,7 +43,7 @@ class Engine {
   // A built-in profile or a file. `place` stands in front of errors about the name.
   Result<std::shared_ptr<const SkinModel>> model(const std::string& profile,
                                                  const std::string& place);
-  // From the JSON text that maps carry.
+  // The model of the JSON text that maps carry.
   Result<std::shared_ptr<const SkinModel>> modelFromText(const std::string& text,
                                                          const std::string& place);
 

@@ -40,7 +40,8 @@ Result<Band> parseBand(const std::string& text, const std::string& place) {
   }
   const Band band = bandBetween(*from, *to);
   if (!(*from <= *to) || band.count() <= 0) {
-    return usageError(place, "the band " + text + " holds no wavelength between 300 and 1000 nm");
+    return usageError(place,
+                      "the band " + text + " contains no wavelength between 300 and 1000 nm");
   }
   return band;
 }

@@ -15,7 +15,7 @@ constexpr std::uint64_t kErrorNoiseSeed = 2;
 constexpr std::size_t kMostBoundPeople = 4000;
 constexpr int kSampleSize = 512;
 
-// The bounds of resources/manual/accuracy.md, for the monitor rig.
+// FITTING.md, for the monitor rig.
 std::optional<double> printedBound(const Rig& rig, double noise) {
   constexpr std::array<std::pair<double, double>, 4> printed = {
       {{0.001, 7.6e-7}, {0.002, 1.4e-6}, {0.005, 3.8e-6}, {0.01, 9.7e-6}}};

@@ -27,8 +27,8 @@ Status checkCaptureFolder(const std::string& output) {
     return resourceError(output, "there is a file of this name; name a folder");
   }
   if (!fs::is_empty(named, error) && !fs::exists(named / "capture.json", error)) {
-    return resourceError(output,
-                         "the folder holds other things than a capture; name a new or empty one");
+    return resourceError(
+        output, "the folder contains something other than a capture; name a new or empty one");
   }
   return checkWritable(named / "capture.json");
 }

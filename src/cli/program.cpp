@@ -32,7 +32,7 @@ constexpr char kPurpose[] =
     "A CAPTURE is a folder with capture.json; a single IMAGE is an albedo texture.";
 constexpr char kFooter[] =
     "Exit status: 0 done, 2 wrong usage, 3 bad input, 4 no memory, disk or permission,\n"
-    "130 interrupted. 'cutis-cli COMMAND --help' tells all options of a command.";
+    "130 interrupted. 'cutis-cli COMMAND --help' lists all options of a command.";
 
 std::stop_source& interruption() {
   // Never destroyed: a signal may come while the program ends.

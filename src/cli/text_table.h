@@ -16,7 +16,7 @@ class TextTable {
   explicit TextTable(std::vector<std::string> header, std::size_t leftColumns = 1)
       : rows_{std::move(header)}, leftColumns_(leftColumns) {}
 
-  // As many cells as the header has.
+  // A row of as many cells as the header has.
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
   std::string text() const;
 

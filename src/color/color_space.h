@@ -29,7 +29,7 @@ using ColorConverter = std::function<Status(std::span<float> rgb)>;
 Result<ColorConverter> toLinearRec709(const std::string& name, const std::string& place);
 Result<ColorConverter> fromLinearRec709(const std::string& name, const std::string& place);
 
-// The one spelling of a name that is told to people and written to files.
+// The one spelling of a name that is shown to people and written to files.
 Result<std::string> canonicalColorSpace(const std::string& name, const std::string& place);
 
 // What may be offered for choice: the spaces above, then those of $OCIO if it can be read.

@@ -97,8 +97,8 @@ class Automaton : public QObject {
     if (!window_.grab().save(arguments_.screenshot)) {
       QCoreApplication::exit(
           fail(kBadInput, arguments_.screenshot.toStdString() +
-                              ": the picture cannot be written; choose a .png in a folder that is "
-                              "there"));
+                              ": the picture cannot be written; choose a .png in a folder that "
+                              "exists"));
       return;
     }
     QCoreApplication::exit(0);

@@ -86,15 +86,15 @@ Status readFields(const JsonValue& object, Field<T>... fields) {
 }
 
 template <typename T, std::size_t... k>
-Status parseParameters(const JsonValue& object, std::array<T, kParameterCount>& values,
-                       std::index_sequence<k...>) {
+Status parseRecipeParameters(const JsonValue& object, std::array<T, kParameterCount>& values,
+                             std::index_sequence<k...>) {
   return readFields(object, field(chromophoreTable()[k].name.c_str(), values[k])...);
 }
 
 // One entry per parameter.
 template <typename T>
 Status parse(const JsonValue& object, std::array<T, kParameterCount>& values) {
-  return parseParameters(object, values, std::make_index_sequence<kParameterCount>());
+  return parseRecipeParameters(object, values, std::make_index_sequence<kParameterCount>());
 }
 
 Status parse(const JsonValue& object, SkinTone& tone) {

@@ -2,8 +2,8 @@
 
 // Pictures in files.
 //
-// The formats that are read and written, with their sample types: src/images/image_formats.h. What
-// is read is recognised by its content and not by its name.
+// The formats that are read and written, with their sample types: src/images/codec/image_formats.h.
+// What is read is recognised by its content and not by its name.
 //
 // Values: unsigned integers are value / maximum in [0, 1], without linearisation; floats as they
 // are, with NaN, infinities and negatives. Alpha stays as it is stored and multiplies nothing.
@@ -77,7 +77,7 @@ struct ImageContent {
 
 // What the format of this name can hold, the most usual first. A usage error for other formats.
 Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path& path);
-// Whether this could be written, told before any work is done: format, sample type, folder.
+// Whether this could be written, found out before any work is done: format, sample type, folder.
 Status checkImageOutput(const std::filesystem::path& path, SampleType type);
 
 // Replaces the file as a whole or leaves it as it was. Channels the format has no place for are

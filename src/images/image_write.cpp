@@ -5,11 +5,11 @@
 
 #include "src/files/io/atomic_write.h"
 #include "src/images/codec/color_tags.h"
+#include "src/images/codec/image_formats.h"
 #include "src/images/codec/image_writer.h"
 #include "src/images/codec/metadata_access.h"
 #include "src/images/codec/oiio_text.h"
 #include "src/images/image_file.h"
-#include "src/images/image_formats.h"
 
 namespace cutis {
 namespace {
@@ -112,7 +112,7 @@ Status writeImage(const std::filesystem::path& path, const ImageContent& content
   if (keepProfile && format.kind == ImageFileKind::png &&
       !MetadataAccess::pngTakesProfile(content.metadata)) {
     keepProfile = false;
-    context.say(place + ": PNG does not take this colour profile, which is left out; use TIFF");
+    context.say(place + ": PNG cannot hold this colour profile, which is left out; use TIFF");
   }
   MetadataAccess::add(content.metadata, keepProfile, part.spec);
   for (OIIO::ImageSpec* spec : {&plain, &part.spec}) {

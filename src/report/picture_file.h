@@ -13,8 +13,8 @@
 
 namespace cutis {
 
-// Whether writeDrawing() could succeed, told before the work that leads up to it is done. A usage
-// error if the name ends in neither .svg nor .png.
+// Whether writeDrawing() could succeed, found out before the work that leads up to it is done. A
+// usage error if the name ends in neither .svg nor .png.
 Status checkDrawingOutput(const std::filesystem::path& path);
 
 // Errors: as above; no room to write to. PNG: from one thread at a time.

@@ -125,6 +125,7 @@ std::vector<std::string> missingDocuments(const std::string& path, const std::st
 std::vector<std::string> missingPaths(const std::string& path, const std::string& text) {
   std::vector<std::string> missing;
   for (const std::string& name : pathNames(text)) {
+    if (name.find("NAME") != std::string::npos) continue;  // stands for any name
     if (!isThere(name)) missing.push_back(path + " names " + name);
   }
   return missing;

@@ -28,14 +28,20 @@ bool endsSentence(const std::string& line) {
   return line.find(". ") != std::string::npos || line.ends_with(".") || line.ends_with(":");
 }
 
-// The first comment before any code, up to a blank line of it.
+// The sentence may stand at the one declaration of a header, behind what it includes.
+bool isBeforeCode(const std::string& line) {
+  const bool named = line.starts_with("class ") && line.ends_with(";");
+  return line.empty() || line.starts_with("#") || line.starts_with("namespace ") || named;
+}
+
+// The first comment before any code.
 std::vector<std::string> openingOf(const std::string& text) {
   std::vector<std::string> opening;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
-    if (isComment(line) && line != "//") {
+    if (isComment(line)) {
       opening.push_back(line);
-    } else if (!opening.empty() || !(line.empty() || line.starts_with("#"))) {
+    } else if (!opening.empty() || !isBeforeCode(line)) {
       break;
     }
   }

@@ -106,9 +106,9 @@ constexpr Room kRooms[] = {
      "core/base core/spectra core/skin/* src/app src/app/document ui/theme ui/plot ui/widgets"},
     {"ui/docks", "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view"},
     {"ui/dialogs",
-     "core/* src/files/* src/images src/app/* ui/theme ui/commands ui/plot ui/widgets"},
+     "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},
     {"ui/window",
-     "core/* src/files/* src/images src/color src/app/* ui/theme ui/commands ui/plot ui/widgets "
+     "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/commands ui/plot ui/widgets "
      "ui/view ui/docks ui/dialogs"},
     {"src/cutis", "core/* src/files/* src/images/* src/color src/app/* ui/*"},
 };

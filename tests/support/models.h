@@ -14,7 +14,7 @@ const SkinModel& li2024();
 const Rig& monitorRig();
 const Rig& albedoRig();
 
-// Of the built-in library.
+// A light of the built-in library.
 Spectrum light(const std::string& name);
 const Sensor& cie1931();
 // D65 under the standard observer; Y = 1.

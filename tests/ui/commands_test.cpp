@@ -26,7 +26,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kPatienceMs = 120000;
+constexpr int kCommandPatienceMs = 120000;
 
 class CommandsTest : public test::UiTest {
   Q_OBJECT
@@ -190,7 +190,7 @@ class CommandsTest : public test::UiTest {
   }
   void waitUntilIdle() {
     QTest::qWait(10);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->isIdle(), kCommandPatienceMs);
   }
   void openSample() {
     window_->opener().openSample();

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = LightChoice::Kind;
 
-constexpr int kPatienceMs = 120000;
+constexpr int kLightPatienceMs = 120000;
 
 class LightControllerTest : public test::UiTest {
   Q_OBJECT
@@ -58,7 +58,7 @@ class LightControllerTest : public test::UiTest {
       light_.attach(panel_);
       document_.openSample();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(document_.isOpen() && jobs_.isIdle(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(document_.isOpen() && jobs_.isIdle(), kLightPatienceMs);
     light_.setLight({"D65", "cie1931", Kind::colour});
   }
 

@@ -2,7 +2,7 @@
 
 #include <QStringList>
 
-#include "src/images/image_formats.h"
+#include "src/images/codec/image_formats.h"
 
 namespace cutis {
 namespace {

@@ -1,6 +1,6 @@
-#pragma once
+#pragma once  // internal to ui/dialogs
 
-// What file dialogs offer of src/images/image_formats.h, in Qt's notation.
+// What file dialogs offer of src/images/codec/image_formats.h, in Qt's notation.
 
 #include <QString>
 

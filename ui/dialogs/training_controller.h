@@ -42,7 +42,7 @@ class TrainingController : public QObject {
 
  private:
   void start(const Rig& rig, const std::string& profile);
-  // On the thread of the job.
+  // Runs on the thread of the job.
   void run(const Rig& rig, const std::string& profile, const NetworkTraining& training,
            const JobRunner::Handle& job);
   void chooseFile();

@@ -11,7 +11,7 @@ QString tr(const char* text) {
   return QCoreApplication::translate("FitCatalogue", text);
 }
 
-std::vector<MethodDescription> makeCatalogue() {
+std::vector<MethodDescription> makeMethods() {
   return {
       {FitMethod::refined, tr("Refined"),
        tr("The most probable skin under the exact model: the most accurate, for all that counts")},
@@ -27,7 +27,7 @@ std::vector<MethodDescription> makeCatalogue() {
 }  // namespace
 
 const std::vector<MethodDescription>& methodCatalogue() {
-  static const std::vector<MethodDescription> catalogue = makeCatalogue();
+  static const std::vector<MethodDescription> catalogue = makeMethods();
   return catalogue;
 }
 

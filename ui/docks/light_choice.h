@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/docks
 
 // Under which light, and by whose eyes, the skin is shown.
 

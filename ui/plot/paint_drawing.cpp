@@ -10,7 +10,7 @@
 namespace cutis {
 namespace {
 
-QString textOf(std::string_view words) {
+QString qtTextOf(std::string_view words) {
   return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
 }
 
@@ -85,7 +85,7 @@ class Painting {
   }
 
   void operator()(const Text& text) {
-    const QString words = textOf(text.words);
+    const QString words = qtTextOf(text.words);
     double before = 0.0;
     if (text.anchor != Anchor::start) {
       before = fonts_.metricsOf(text.style).horizontalAdvance(words);
@@ -137,7 +137,7 @@ const PaintFonts::Set& PaintFonts::setOf(const TextStyle& style) const {
 }
 
 double PaintFonts::width(std::string_view words, const TextStyle& style) const {
-  return words.empty() ? 0.0 : metricsOf(style).horizontalAdvance(textOf(words));
+  return words.empty() ? 0.0 : metricsOf(style).horizontalAdvance(qtTextOf(words));
 }
 
 double PaintFonts::ascent(const TextStyle& style) const {

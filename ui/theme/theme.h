@@ -34,14 +34,14 @@ struct Tones {
   QColor gridLine;
 };
 
-// Of the theme in use.
+// The tones of the theme in use.
 const Tones& tones();
 
 inline constexpr int kSpace = 8;
 inline constexpr int kHalfSpace = 4;
 inline constexpr int kDoubleSpace = 16;
 inline constexpr int kCornerRadius = 4;
-// Of the labels before the fields of a panel, so that the fields of all panels stand in one line.
+// The width of the labels before the fields of a panel: the fields of all panels stand in one line.
 inline constexpr int kLabelWidth = 56;
 
 // Style, palette and style sheet of the whole program. Call once, before the first widget.

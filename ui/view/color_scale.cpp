@@ -70,7 +70,7 @@ std::vector<OkLab> pointsOf(ScaleKind kind) {
       return {fromHue(0.32, 0.110, 262), fromHue(0.62, 0.110, 245), fromHue(0.95, 0.000, 245),
               fromHue(0.68, 0.110, 65), fromHue(0.36, 0.085, 50)};
     case ScaleKind::grey:
-      // Not from black: eight bits hold too few steps down there.
+      // The scale does not begin at black: eight bits hold too few steps down there.
       return {{0.12, 0, 0}, {1, 0, 0}};
   }
   return {};

@@ -5,7 +5,7 @@
 //
 // Values are mapped linearly from [minimum, maximum] and clamped to its ends. What has no value
 // (masked, invalid, NaN) is a dark neutral that no scale with colour contains; maskedPixel adds a
-// hatch that tells it from the dark end of the grey scale too. Safe from any thread.
+// hatch that distinguishes it from the dark end of the grey scale too. Safe from any thread.
 
 #include <array>
 
@@ -23,7 +23,7 @@ class ColorScale {
  public:
   static const ColorScale& of(ScaleKind kind);
 
-  // From the colour of the minimum to that of the maximum.
+  // Colours from that of the minimum to that of the maximum.
   const std::array<QRgb, 256>& table() const { return table_; }
 
   QRgb at(double value, double minimum, double maximum) const;

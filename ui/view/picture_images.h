@@ -18,7 +18,7 @@ struct PictureImages {
   Rect covered;     // image pixels
   int step = 1;
 
-  // In device pixels of the view. Cost: the pixels in view, whatever the size of the images.
+  // Paints in device pixels of the view. Cost: the pixels in view, whatever the size of the images.
   // Smooth up to 2 ×, above it the detail's pixels are the squares that they are.
   void draw(QPainter& painter, const ViewGeometry& geometry) const;
 };

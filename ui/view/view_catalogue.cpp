@@ -34,7 +34,7 @@ std::vector<LayerDescription> makeCatalogue() {
       {ViewKind::photograph,
        "photograph",
        tr("Photograph"),
-       tr("What was opened, as it is under daylight"),
+       tr("What was opened, as it looks under daylight"),
        std::nullopt,
        {},
        true},

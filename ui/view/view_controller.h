@@ -61,8 +61,8 @@ class ViewController : public QObject {
   Viewport& viewport_;
   ViewStrip* strip_ = nullptr;
   ViewKind current_ = ViewKind::photograph;
-  // Of the unedited maps, so that an edit is seen as a change of colour; of the edited ones where
-  // there are no others yet.
+  // Ranges of the unedited maps, so that an edit is seen as a change of colour; of the edited ones
+  // where there are no others yet.
   std::map<ViewKind, DisplayRange> ranges_;
   Part detail_;
   Part overview_;

@@ -13,7 +13,7 @@ class ViewDelegate : public QStyledItemDelegate {
   static constexpr int kIdRole = Qt::UserRole;
   static constexpr int kThumbnailRole = Qt::UserRole + 1;  // QImage
 
-  // In device-independent pixels.
+  // The size of a thumbnail in device-independent pixels.
   static constexpr QSize kThumbnailSize = {108, 72};
 
   using QStyledItemDelegate::QStyledItemDelegate;

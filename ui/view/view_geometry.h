@@ -21,8 +21,8 @@ class ViewGeometry {
 
   // A new picture is fitted. Empty sizes mean that there is none.
   void setPicture(QSize pixels);
-  // In device pixels. `margin` is kept free around a fitted picture. Keeps the fit, or else the
-  // image point in the middle of the view.
+  // The size in device pixels. `margin` is kept free around a fitted picture. Keeps the fit, or
+  // else the image point in the middle of the view.
   void setView(QSize devicePixels, double margin);
 
   bool hasPicture() const { return !picture_.isEmpty() && !view_.isEmpty(); }

@@ -20,7 +20,7 @@ QImage colorImage(const ViewPart& part);
 // One channel through a scale. RGB32.
 QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange& range);
 
-// From 0 to a round number just above nearly all values (99.5 %) of a part.
+// The range from 0 to a round number just above nearly all values (99.5 %) of a part.
 DisplayRange rangeOf(const ViewPart& part);
 
 }  // namespace cutis

@@ -32,7 +32,7 @@ class ViewStrip : public QListWidget {
   QString current() const;
 
  Q_SIGNALS:
-  // By the user.
+  // The user has chosen a view.
   void chosen(const QString& id);
 
  private:

@@ -114,7 +114,7 @@ void Viewport::viewMoved() {
     toldStep_ = step;
     Q_EMIT viewChanged(visible, step);
   }
-  // Under a still cursor the picture has moved.
+  // The picture has moved under a still cursor.
   updateCursor();
 }
 

@@ -26,7 +26,7 @@ class Viewport : public QWidget {
  public:
   explicit Viewport(QWidget* parent = nullptr);
 
-  // In image pixels. Drops the images of the picture before and fits the new one.
+  // The size in image pixels. Drops the images of the picture before and fits the new one.
   void setPictureSize(int width, int height);
   // The whole picture at any resolution. QImage::Format_RGB32 draws fastest, here and below.
   void setOverview(const QImage& image);
@@ -35,16 +35,16 @@ class Viewport : public QWidget {
   // No picture.
   void clear();
 
-  // In the lower left corner; nothing hides it.
+  // A bar in the lower left corner; nothing hides it.
   void setColorBar(const std::optional<ColorBarSpec>& spec);
 
   // Device pixels per image pixel.
   double zoom() const { return geometry_.scale(); }
   bool fitted() const { return geometry_.fitted(); }
-  // As last told by viewChanged; empty without a picture.
+  // As viewChanged last reported; empty without a picture.
   Rect visibleRect() const { return geometry_.visible(); }
   int samplingStep() const { return geometry_.step(); }
-  // Between image pixels and the widget's device-independent ones.
+  // These convert between image pixels and the widget's device-independent ones.
   QPointF toWidget(const QPointF& image) const;
   QPointF toImage(const QPointF& widget) const;
 

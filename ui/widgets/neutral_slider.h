@@ -24,7 +24,7 @@ class NeutralSlider : public QSlider {
   QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  // By the user. A drag ends with stillMoving false, even where it began.
+  // The user has moved it. A drag ends with stillMoving false, even where it began.
   void valueMoved(double value, bool stillMoving);
 
  protected:

@@ -26,8 +26,8 @@ class ParameterSlider : public QWidget {
   void setValue(double value);
 
  Q_SIGNALS:
-  // By the user. While the slider is dragged stillMoving is true; the drag ends with one call where
-  // it is false. Keys, double click and typed numbers are final at once.
+  // The user has changed it. While the slider is dragged stillMoving is true; the drag ends with
+  // one call where it is false. Keys, double click and typed numbers are final at once.
   void valueChanged(double value, bool stillMoving);
 
  private:

@@ -114,7 +114,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 
   connect(cancel_, &QToolButton::clicked, this, &ProgressStrip::cancelWanted);
   connect(dismiss_, &QToolButton::clicked, this, [this] { dismiss(); });
-  // Not the buttons' own shortcuts: those click visibly first, a tenth of a second late.
+  // The buttons' own shortcuts would click visibly first and act a tenth of a second late.
   connect(escape_, &QShortcut::activated, this, [this] {
     if (jobRuns_) {
       Q_EMIT cancelWanted();

@@ -80,7 +80,7 @@ void RecentList::setFiles(const QStringList& paths) {
   updateGeometry();
 }
 
-// Not itemActivated: a double click would open twice.
+// itemActivated would open twice at a double click.
 void RecentList::keyPressEvent(QKeyEvent* event) {
   const bool opens = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (!opens || !currentItem()) return QListWidget::keyPressEvent(event);

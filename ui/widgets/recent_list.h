@@ -16,7 +16,7 @@ class RecentList : public QListWidget {
   // Absolute paths.
   void setFiles(const QStringList& paths);
 
-  // As high as its files, up to eight of them.
+  // The list is as high as its files, up to eight of them.
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 

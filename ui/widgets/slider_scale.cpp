@@ -4,7 +4,7 @@
 
 namespace cutis {
 
-// From valueAt(½) = neutral and valueAt(1) = maximum.
+// This follows from valueAt(½) = neutral and valueAt(1) = maximum.
 double SliderScale::curvature() const {
   const double span = maximum - minimum;
   const double toNeutral = neutral - minimum;

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/window
 
 // What the rows of the tables of commands and docks work on. The window owns it all; rows are made
 // once everything is there, and are gone before it.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/window
 
 // Shows the running jobs in the progress strip: the newest, and when that ends the one before it.
 // Interface thread only.

@@ -142,7 +142,7 @@ auto FreeEstimator<N>::linearise(std::span<const Point> points, std::span<const 
   const std::size_t count = points.size();
   const std::vector<double> nodes = nodeValues(points);
   const std::size_t width = (N + 1) * count;
-  // Of the channels: [channel][1 + N][point].
+  // The channels and their derivatives: [channel][1 + N][point].
   std::vector<double> modelled(channels_.size() * width);
   runWeightedSums({weights_.data(), channels_.size(), weights_.size() / channels_.size(),
                    nodes.data(), width, modelled.data()});

@@ -42,7 +42,7 @@ class FreeEstimator {
   // values: the parameters and the free constants in their units, and back.
   Point pointOf(const double* values) const;
   void valuesOf(const Point& point, double* values) const;
-  // Of the prior.
+  // The mean of the prior.
   const Point& mean() const { return mean_; }
 
   // Around a point: what the quadratic says of the cost, and how much of it is the channels'.

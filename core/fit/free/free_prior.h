@@ -19,7 +19,7 @@ struct FreePrior {
   double oxygenationDeviation = 0.15;
   double logThicknessDeviation = 0.3;  // of the natural logarithm
 
-  // Of a constant in its unit, at a value of it.
+  // The standard deviation of a constant in its unit, at a value of it.
   double deviation(SkinConstant constant, double at) const {
     return constant == kOxygenation ? oxygenationDeviation : logThicknessDeviation * at;
   }

@@ -10,7 +10,7 @@
 
 namespace cutis {
 
-// Of one pixel, from one start.
+// A search for one pixel, from one start.
 template <int N>
 class FreeSearch {
  public:

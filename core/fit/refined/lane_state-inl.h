@@ -30,11 +30,11 @@ struct Lanes {
   V cost;                   // at the base
   V decrease;               // of the cost that the whole step promises
   V doubtful;               // 1 where the step is not Newton's from the base itself, else 0
-  // Of the last round with derivatives.
+  // What the last round with derivatives left.
   V modelled[kMaximumFitChannels][kLinearColumns];
   Factorisation<V> factor;
   V free[kParameterCount];  // 0 where the coordinate was held, else 1
-  V unsure;  // 1 where a chord step at these derivatives cannot tell convergence, else 0
+  V unsure;  // 1 where a chord step at these derivatives cannot show convergence, else 0
 };
 
 // What goes to memory of a lane that is put aside.

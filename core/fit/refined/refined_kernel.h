@@ -45,7 +45,7 @@ struct RefinedProblem {
   LayerConstants<T> layers;
   const T* weights;  // [channel][node]
   std::size_t channelCount;
-  // Of a channel's variance: readVariance + proportionalVariance · (channel + veil)².
+  // A channel's variance is readVariance + proportionalVariance · (channel + veil)².
   T readVariance;
   T proportionalVariance;
   T veil;

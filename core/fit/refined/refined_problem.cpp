@@ -7,7 +7,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kMaximumRounds = 100;
+constexpr int kProblemRounds = 100;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ RefinedProblemData<T>::RefinedProblemData(const SkinModel& model, const Spectral
   problem_.readVariance = static_cast<T>(noise.read * noise.read);
   problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
   problem_.veil = static_cast<T>(noise.veil);
-  problem_.maximumRounds = kMaximumRounds;
+  problem_.maximumRounds = kProblemRounds;
   if (options.shading) {
     problem_.shadingPrecision = static_cast<T>(1.0 / (*options.shading * *options.shading));
   }

@@ -149,8 +149,8 @@ class Refiner {
   }
 
   // A step follows the model's curvature where it is known: dermal blood and melanin act by the
-  // root of their absorption, and what the data tell is the amount of each melanin, C_m β_m, rather
-  // than the blend.
+  // root of their absorption, and what the data determine is the amount of each melanin, C_m β_m,
+  // rather than the blend.
   HWY_INLINE void PointAlong(const V* base, const V* step, V share, V* point) const {
     const D d;
     for (int i = 0; i < kParameterCount; ++i) {
@@ -173,7 +173,7 @@ class Refiner {
     point[kMelaninBlend] = Boxed(kMelaninBlend, hn::Add(base[kMelaninBlend], move));
   }
 
-  // With derivatives. Returns the lanes that are still active.
+  // A round with derivatives. Returns the lanes that are still active.
   HWY_INLINE M FullRound(M active) {
     const D d;
     V trial[kParameterCount];
@@ -216,7 +216,7 @@ class Refiner {
         normal.Prescribe(d, i, crossing[i], hn::Sub(bound[i], trial[i]));
         lanes_.free[i] = hn::IfThenZeroElse(crossing[i], lanes_.free[i]);
       }
-      // At its bound the coordinate may want back: only new derivatives tell.
+      // A coordinate at its bound may want back into the box: only new derivatives show whether.
       lanes_.unsure = hn::IfThenElse(any, hn::Set(d, T(1)), lanes_.unsure);
     }
   }
@@ -236,7 +236,7 @@ class Refiner {
     }
   }
 
-  // With the derivatives and the factorisation of the round before.
+  // A round with the derivatives and the factorisation of the round before.
   HWY_INLINE M ChordRound(M active) {
     const D d;
     V trial[kParameterCount];
@@ -316,7 +316,7 @@ class Refiner {
 
     V limit = Tolerance();
     // A chord step is small across a valley even where the way along it is long, and promises less
-    // than there is; only one that is far smaller than the step before tells that the end is near.
+    // than there is; only one that is far smaller than the step before shows that the end is near.
     if constexpr (kChord) {
       limit = hn::Min(hn::Mul(limit, hn::Set(d, T(0.3))), hn::Mul(before, hn::Set(d, T(0.02))));
     }

@@ -41,7 +41,7 @@ class NearestTree {
   void setBox(TreeNode& node, std::size_t slot, const Range& range) const;
 
   int featureCount_;
-  // Only while building:
+  // Used only while building:
   std::vector<std::span<const float>> features_;
   std::vector<std::uint32_t> entries_;
 

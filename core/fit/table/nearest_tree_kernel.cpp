@@ -27,7 +27,7 @@ class TreeSearch {
     Expand(arguments_.nodes[0]);
     while (depth_ > 0) {
       const Pending next = stack_[--depth_];
-      // On equality an entry in it may still come first.
+      // Where both are equal, an entry in it may still come first.
       if (!(next.bound <= best_.squaredDistance)) continue;
       if ((next.child & kTreeLeafBit) != 0) {
         Visit(arguments_.leaves[next.child & ~kTreeLeafBit]);

@@ -16,7 +16,7 @@ void ForwardLayer(const DenseKernelLayer& layer, const float* in, float* out, st
   Forward(layer, in, out, stride);
 }
 
-// From the output y.
+// The slope of the activation, from its output y.
 template <Activation kActivation, class D, class V = hn::Vec<D>>
 HWY_INLINE V Slope(D d, V y) {
   const V one = hn::Set(d, 1.0f);

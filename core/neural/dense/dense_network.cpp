@@ -64,7 +64,7 @@ Status validateLayer(const DenseLayer& layer, std::size_t index, const std::stri
   if (!allSound(layer.weights) || !allSound(layer.bias)) {
     return inputError(place, layerName(index) +
                                  " has a weight that is not a finite number below 1e7; train the "
-                                 "network anew");
+                                 "network again");
   }
   return {};
 }

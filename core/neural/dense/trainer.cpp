@@ -102,7 +102,7 @@ class Trainer {
 
  private:
   static Error diverged(int epoch) {
-    return inputError("", "training lost its way in epoch " + std::to_string(epoch) +
+    return inputError("", "training diverged in epoch " + std::to_string(epoch) +
                               ": the error is no longer a number; use a smaller learning rate");
   }
 
@@ -207,7 +207,7 @@ Status prepareState(std::size_t weights, std::size_t stepsPerEpoch, int epochs,
   if (couldBe(state, weights, stepsPerEpoch, epochs))
     return validate(state.best, "the state of training");
   return inputError(
-      "", "the state of training does not fit the network and its options; start anew without it");
+      "", "the state of training does not fit the network and its options; start again without it");
 }
 
 bool outOfPatience(const TrainerOptions& options, const TrainingState& state) {

@@ -175,7 +175,7 @@ class RowPainter {
     }
   }
 
-  // Of hairs below the surface.
+  // The shade of hairs below the surface.
   void addShade() {
     const auto shade = static_cast<float>(recipe_.stubble.shade);
     const auto blend = static_cast<float>(recipe_.stubble.blend);
@@ -197,7 +197,7 @@ class RowPainter {
   AreaShapes stubble_;
   FractalRows warpX_, warpY_, blotches_, furrows_;
   std::vector<FractalRows> noises_;
-  // Of the current row.
+  // Working memory for the current row.
   std::vector<float> x_, y_, noise_;
   std::array<float*, kParameterCount> values_ = {};
 };

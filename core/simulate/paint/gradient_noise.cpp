@@ -29,7 +29,7 @@ float fade(float t) {
   return t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
 }
 
-// Without a call into the library, which std::floor is below SSE4.
+// This does without a call into the library, which std::floor is below SSE4.
 int floorToInt(float value) {
   const int towardsZero = static_cast<int>(value);
   return towardsZero - (value < static_cast<float>(towardsZero) ? 1 : 0);

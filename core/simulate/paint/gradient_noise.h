@@ -22,7 +22,7 @@ inline std::uint64_t latticeBits(std::uint64_t key, int column, int row) {
                  static_cast<std::uint64_t>(row) * 0xaf251af3b0f025b5u);
 }
 
-// At one point, in units of the lattice.
+// The noise at one point, in units of the lattice.
 float gradientNoise(std::uint64_t key, float x, float y);
 
 // One octave over the rows of a rectangle, much cheaper than point by point.

@@ -180,7 +180,7 @@ void checkSpots(const SkinRecipe& recipe, Checker& checker) {
 }  // namespace
 
 SkinRecipe::SkinRecipe() {
-  // From the light upper left to the dark lower right.
+  // The tones go from the light upper left to the dark lower right.
   tones = {
       {0.08, 0.10, 0.32, {0.0034, 0.30, 0.010, 0.012, 0.0010}},
       {0.38, 0.28, 0.32, {0.0075, 0.30, 0.014, 0.021, 0.0014}},

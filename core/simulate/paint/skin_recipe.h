@@ -1,7 +1,7 @@
 #pragma once
 
 // Every number that shapes the procedural patch of skin: a close-up with all that an editor of skin
-// must tell apart, at known parameters. A default-constructed recipe is the one of the sample.
+// must distinguish, at known parameters. A default-constructed recipe is the one of the sample.
 //
 // Places are fractions of the patch's width and height from its upper left corner; lengths are
 // fractions of its shorter side, so that one recipe serves every size. Angles in degrees turn from

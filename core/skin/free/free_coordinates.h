@@ -20,7 +20,7 @@ class FreeCoordinates {
   int count() const { return free_.count(); }
   // Where a constant stands among the free ones; −1 if it is not free.
   int indexOf(SkinConstant constant) const;
-  // Of the profile.
+  // The profile's own constants.
   const SkinConstants& own() const { return own_; }
   const ThicknessRange& thickness() const { return thickness_; }
 

@@ -14,7 +14,7 @@ constexpr int kFreeTrainingCount = 3000;
 constexpr int kFreeCheckingCount = 1000;
 constexpr std::size_t kBatch = 50;
 // Between thicknesses of the tables the spectra here are mixtures of those at the tables', so that
-// nodes for the ones hold for the others, and a few thicknesses tell all.
+// nodes for the ones hold for the others, and a few thicknesses suffice.
 constexpr int kThicknesses = 6;
 // Shares of the progress: the tables of the layers, and the spectra.
 constexpr double kTablesEnd = 0.8, kSpectraEnd = 0.9;

@@ -28,7 +28,7 @@ class LayerOptics {
   // Absorptions in mm⁻¹, finite and not negative.
   virtual LayeredReflectance evaluate(int sample, double epidermalAbsorption,
                                       double dermalAbsorption) const = 0;
-  // Without derivatives.
+  // The same without derivatives.
   virtual double reflectance(int sample, double epidermalAbsorption,
                              double dermalAbsorption) const = 0;
   // Whether the theory holds there: for diffusion, scattering outweighs absorption (α' ≥ 0.5) in
@@ -38,7 +38,7 @@ class LayerOptics {
   virtual const LayerPolynomial<double>* polynomialAt(int sample) const = 0;
 };
 
-// For layerOptics = diffusion. Precondition: the profile is valid.
+// The optics of layerOptics = diffusion. Precondition: the profile is valid.
 std::unique_ptr<const LayerOptics> makeDiffusionOptics(const Profile& profile);
 
 // Radiative transfer, from a table of it. Precondition: the table has the whole grid.

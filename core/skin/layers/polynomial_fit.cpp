@@ -17,8 +17,8 @@ constexpr int kDermalSamples = 11;
 constexpr double kMargin = 0.02;
 constexpr double kSmallestWidth = 1.05;  // high over low
 constexpr double kSmallestAbsorption = 1e-4;
-// Of the axis along which adding–doubling is sampled, and those tried for the polynomial; in units
-// of the root of the layer's scattering.
+// The knee of the axis along which adding–doubling is sampled, and those tried for the polynomial;
+// in units of the root of the layer's scattering.
 constexpr double kSampledKnee = 0.6;
 constexpr double kKnees[] = {0.2, 0.3, 0.45, 0.7, 1.0, 1.4, 2.0, 3.0};
 

@@ -32,7 +32,7 @@ struct TwoLayers {
 Result<LayerPolynomial<double>> fitLayerPolynomial(const TwoLayers& layers,
                                                    const TransportOptions& options = {});
 
-// For the kernels. Coefficients are rounded, no more.
+// The form that kernels read: coefficients are rounded, no more.
 LayerPolynomial<float> singlePrecision(const LayerPolynomial<double>& polynomial);
 
 // Value and derivatives in double precision: the oracle of the vectorised forms. Absorptions as

@@ -33,17 +33,17 @@ struct LayerTableOptions {
 
 class LayerTable {
  public:
-  // At the given positions on the wavelength grid, 2 ms each on one core; they run on all cores and
-  // the bits do not depend on how many. Errors: those of fitLayerPolynomial, with the wavelength as
-  // place. Precondition: samples lie on the grid.
+  // Makes it at the given positions on the wavelength grid, 2 ms each on one core; they run on all
+  // cores and the bits do not depend on how many. Errors: those of fitLayerPolynomial, with the
+  // wavelength as place. Precondition: samples lie on the grid.
   static Result<LayerTable> make(const Profile& profile, std::span<const int> samples,
                                  const LayerTableOptions& options = {},
                                  const JobContext& context = {});
-  // At all 351 wavelengths.
+  // The same at all 351 wavelengths.
   static Result<LayerTable> makeWhole(const Profile& profile, const LayerTableOptions& options = {},
                                       const JobContext& context = {});
-  // From a copy of polynomials() that was kept, in the order of the samples. Precondition: as many
-  // polynomials as samples.
+  // Makes it from a copy of polynomials() that was kept, in the order of the samples. Precondition:
+  // as many polynomials as samples.
   static LayerTable restore(std::span<const int> samples,
                             std::span<const LayerPolynomial<double>> polynomials);
 

@@ -29,10 +29,10 @@ using SpectrumJacobian = Eigen::Array<double, kSampleCount, kParameterCount>;
 
 class SkinModel {
  public:
-  // For a profile whose layers are by diffusion. Precondition: validate(profile) passed.
+  // The model of a profile whose layers are by diffusion. Precondition: validate(profile) passed.
   explicit SkinModel(const Profile& profile);
-  // For one by radiative transfer. Precondition: validate(profile) passed; the table is the
-  // profile's, at all wavelengths.
+  // The model of one by radiative transfer. Precondition: validate(profile) passed; the table is
+  // the profile's, at all wavelengths.
   SkinModel(const Profile& profile, std::shared_ptr<const LayerTable> table);
 
   // Either, making the table where one is needed: then about 2 s on one core. Cancelled if asked to
@@ -43,7 +43,7 @@ class SkinModel {
   const Profile& profile() const { return profile_; }
   const AbsorptionLaw& absorption() const { return absorption_; }
   const LayerOptics& optics() const { return *optics_; }
-  // For chooseNodes().
+  // Where chooseNodes() keeps its choices.
   NodeCache& nodeCache() const { return *nodeCache_; }
 
   double reflectanceAt(int sample, std::span<const double> parameters) const;

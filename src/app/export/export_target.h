@@ -16,7 +16,7 @@
 namespace cutis {
 
 struct ExportTarget {
-  std::filesystem::path path;  // its extension names the format (src/images/image_formats.h)
+  std::filesystem::path path;  // its extension names the format (src/images/codec/image_formats.h)
   // Of a picture; none: the source's where the format has it, else the most usual of the format.
   std::optional<SampleType> sampleType = {};
   // Of a picture, a name of src/color; empty: the source's where both or neither are integers, else

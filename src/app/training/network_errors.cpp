@@ -83,7 +83,7 @@ double errorOf(const MatrixXf& visible, const Judges& judges) {
          static_cast<double>(visible.size());
 }
 
-// Of exact spectra of estimated parameters.
+// The error of exact spectra of estimated parameters.
 Result<double> errorOfParameters(const SkinModel& model, const MatrixXf& parameters,
                                  const Judges& judges, const JobContext& context) {
   MatrixXf visible(kJudges, kVisibleBand.count());

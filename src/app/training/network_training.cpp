@@ -15,7 +15,7 @@ constexpr double kComponentsEnd = 0.2;
 constexpr double kSpectraEnd = 0.55;
 
 // Stops, but does not report: the fractions of the trainer say nothing of the error, so progress is
-// told epoch by epoch.
+// reported epoch by epoch.
 JobContext silent(const JobContext& context) {
   return {context.stop, {}, context.notice};
 }

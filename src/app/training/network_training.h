@@ -54,8 +54,8 @@ struct TrainedNetworks {
   int components() const { return static_cast<int>(file.spectra.components.cols()); }
 };
 
-// Of everything that changes the result, for TrainingFile. Fails as trainNetworks() does where the
-// rig lacks channels.
+// The identity of everything that changes the result, for TrainingFile. Fails as trainNetworks()
+// does where the rig lacks channels.
 Result<std::string> trainingIdentity(const SkinModel& model, const Rig& rig,
                                      const NetworkTraining& training);
 

@@ -8,7 +8,7 @@
 #include "src/cli/commands/maps_input.h"
 #include "src/cli/options/edit_options.h"
 #include "src/images/capture/capture_file.h"
-#include "src/images/image_formats.h"
+#include "src/images/codec/image_formats.h"
 
 namespace cutis {
 namespace {

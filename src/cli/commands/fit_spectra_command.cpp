@@ -32,7 +32,7 @@ Result<WavelengthRange> wavelengthRangeOf(const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos) {
     return usageError("--range",
-                      "'" + text + "' is no range; write FROM:TO in nm, such as 400:700");
+                      "'" + text + "' is not a range; write FROM:TO in nm, such as 400:700");
   }
   constexpr double least = kFirstWavelengthNm, most = kLastWavelengthNm;
   CUTIS_TRY(from, realNumber("--range", text.substr(0, colon), least, most));

@@ -5,7 +5,7 @@
 #include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
-#include "src/images/image_formats.h"
+#include "src/images/codec/image_formats.h"
 
 namespace cutis {
 namespace {

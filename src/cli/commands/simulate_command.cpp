@@ -93,7 +93,7 @@ Result<double> noiseOf(const SimulateCommand& command, const Rig& rig) {
 
 Status runSimulateCommand(const SimulateCommand& command, Session& session) {
   if (command.maps.empty() == command.patch.empty()) {
-    return usageError("simulate", "name maps or give --patch WIDTHxHEIGHT, and not both");
+    return usageError("simulate", "name maps or give --patch WIDTHxHEIGHT, but not both");
   }
   CUTIS_CHECK(checkNotInput(command.output, {command.maps, command.recipe, command.rig}));
   CUTIS_CHECK(checkCaptureFolder(command.output));

@@ -15,7 +15,7 @@ Result<FreeConstants> freeConstants(const std::string& option, const std::string
                                     "' cannot be found by a fit; write oxygenation, "
                                     "thickness or oxygenation,thickness");
     }
-    if (*one) return usageError(option, "'" + name + "' is there twice; name it once");
+    if (*one) return usageError(option, "'" + name + "' is named twice; name it once");
     *one = true;
   }
   return free;

@@ -81,7 +81,7 @@ Result<std::vector<double>> realNumbers(const std::string& option, const std::st
   const std::vector<std::string> fields = commaSeparated(text);
   if (fields.size() != count) {
     return usageError(option, quoted(text) + " must be " + std::to_string(count) +
-                                  " numbers with commas between them");
+                                  " numbers, separated by commas");
   }
   std::vector<double> numbers;
   for (const std::string& field : fields) {
@@ -118,7 +118,7 @@ Result<Assignment> assignment(const std::string& option, const std::string& text
   }
   const auto value = parseNumber(trimmed(text.substr(equals + 1)));
   if (!value || !std::isfinite(*value)) {
-    return usageError(option, quoted(text) + " gives no number; write " + name + "=VALUE");
+    return usageError(option, quoted(text) + " has no number; write " + name + "=VALUE");
   }
   return Assignment{*parameter, *value};
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// From the text of an option to its value. Errors are usage errors in the option's name. Numbers do
-// not depend on the locale.
+// The values that the texts of options stand for. Errors are usage errors in the option's name.
+// Numbers do not depend on the locale.
 
 #include <cstdint>
 #include <string>

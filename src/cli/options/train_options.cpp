@@ -18,7 +18,7 @@ constexpr int kMostHiddenLayers = 8;
 constexpr int kSmallestBatch = 96;
 constexpr int kLargestBatch = 65'536;
 constexpr double kLeastRate = 1e-9;
-// Between the people the two networks are trained on.
+// The distance of the seeds for the people that the two networks are trained on.
 constexpr std::uint64_t kSeedDistance = 10;
 
 // Options that change the networks, as they stand in the file.
@@ -44,7 +44,7 @@ std::string recordedCommand(const TrainOptions& options) {
   return text;
 }
 
-// Both networks' options alike.
+// Changes the options of both networks alike.
 template <typename Change>
 void setBoth(NetworkTraining& training, const Change& change) {
   change(training.spectra);

@@ -15,7 +15,7 @@
 
 namespace cutis {
 
-// As they were given; empty: not given.
+// The texts as they were given; empty: not given.
 struct TrainOptions {
   std::string rig;
   std::string profile = kDefaultProfile;

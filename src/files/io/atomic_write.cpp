@@ -70,7 +70,7 @@ Status checkWritable(const fs::path& path) {
   }
   // A device or a pipe would be replaced by a file of its name.
   if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
-    return resourceError(path.string(), "this is no ordinary file; name another to write");
+    return resourceError(path.string(), "this is not a regular file; name another to write");
   }
   if (!folderIsWritable(folder)) {
     return resourceError(path.string(), "the folder '" + folder.string() +

@@ -20,7 +20,7 @@ Status writeAtomically(const std::filesystem::path& path,
 // The same for a text.
 Status writeTextAtomically(const std::filesystem::path& path, std::string_view text);
 
-// Whether writeAtomically could succeed, told before the work that leads up to it is done.
+// Whether writeAtomically could succeed, found out before the work that leads up to it is done.
 Status checkWritable(const std::filesystem::path& path);
 
 }  // namespace cutis

@@ -179,7 +179,7 @@ Result<JsonValue> parseJson(std::string_view text, const std::string& place) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   try {
     auto root = std::make_shared<const json>(json::parse(text));
-    if (!root->is_object()) return inputError(place, "the file must hold one JSON object { … }");
+    if (!root->is_object()) return inputError(place, "the file must contain one JSON object { … }");
     const json* node = root.get();
     return JsonValue(std::move(root), node, place, {});
   } catch (const json::parse_error& error) {

@@ -19,7 +19,7 @@ unsigned long processId();
 std::filesystem::path cacheFolder();
 
 // Largest memory this process ever held, or since restartPeakMemory(); 0 if the system does not
-// tell.
+// say.
 std::size_t peakMemoryBytes();
 // Gives memory that was freed back to the system and begins the peak anew at what is held now,
 // which is returned; nothing if the system cannot.

@@ -68,7 +68,7 @@ std::optional<std::size_t> restartPeakMemory() {
 }
 
 std::size_t peakMemoryBytes() {
-  // Not of a parent before this program began, as getrusage() may tell.
+  // Not of a parent before this program began, as getrusage() may report.
   if (const std::size_t peak = statusBytes("VmHWM:"); peak > 0) return peak;
   rusage usage = {};
   if (::getrusage(RUSAGE_SELF, &usage) != 0) return 0;

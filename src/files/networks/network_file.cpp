@@ -205,7 +205,7 @@ Status parseBoth(const JsonValue& root, NetworkFile& file) {
     return {};
   }
   return inputError(root.file(),
-                    "spectra_nn and chrom_nn are of different profiles; train them anew together");
+                    "spectra_nn and chrom_nn are of different profiles; train them again together");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace cutis {
 
 // "[0.5,-1e-9]"
 std::string floatsText(std::span<const float> values);
-// Of a text or of several.
+// The JSON of a text or of several.
 std::string jsonText(const nlohmann::ordered_json& text);
 std::string layersText(const DenseNetwork& network);
 // All options that a network was trained with. Precondition: seeds are below 2³¹.

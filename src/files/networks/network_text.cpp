@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of any column of doubles.
+// The text of any column of doubles, rounded to float.
 template <typename Column>
 std::string roundedText(const Column& values) {
   std::vector<float> floats;

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLineLength = 120;
-// Of a correlation: one over the last digit it is known to.
+// One over the last digit that a correlation is known to.
 constexpr double kCorrelationDigits = 1e3;
 
 Json::json_pointer pointerTo(const std::string& field) {

@@ -115,7 +115,7 @@ Status parseAbsorption(const JsonValue& root, Profile& profile) {
   return parseChromophores(absorption, profile);
 }
 
-// Of one layer; without an oxygenation of its own it has `shared`.
+// The blood of one layer; without an oxygenation of its own it has `shared`.
 Result<BloodOptics> parseLayerBlood(const JsonValue& layer, double shared) {
   BloodOptics blood = {shared};
   if (!layer.has("blood")) return blood;

@@ -31,7 +31,7 @@ Result<std::array<std::size_t, 3>> colorChannels(const ImageHeader& image,
       const bool grey = image.channelNames.size() <= 2;
       return inputError(place, std::string("the image is ") +
                                    (grey ? "grey" : "without the channels R, G and B") +
-                                   "; skin is told by its colour, save it as a colour image");
+                                   "; skin needs its colours, save it as a colour image");
     }
     channels[c] = static_cast<std::size_t>(index);
   }

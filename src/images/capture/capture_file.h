@@ -49,7 +49,7 @@ struct Capture {
 Result<Capture> readCapture(const std::filesystem::path& path, const CaptureReadOptions& options,
                             const std::shared_ptr<TileStore>& store, const JobContext& context);
 
-// Whether the path is a capture, to be told from a single image: a folder, or a JSON file.
+// Whether the path is a capture, a folder or a JSON file, and not a single image.
 bool looksLikeCapture(const std::filesystem::path& path);
 
 struct CaptureWriteOptions {

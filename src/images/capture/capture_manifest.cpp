@@ -145,7 +145,7 @@ Result<CaptureManifest> readCaptureManifest(const fs::path& path,
   CUTIS_CHECK(root.allowOnly(
       {"cutis_capture", "rig", "encoding", "images", "mask", "chart", "description"}));
   if (root.has("chart")) {
-    return inputError(root.file(), "chart: charts are not in this version; use scale");
+    return inputError(root.file(), "chart: charts are not supported by this version; use scale");
   }
   CUTIS_TRY(encoding, root.text("encoding"));
   if (encoding != "linear") return root.error("encoding", "\"linear\"");

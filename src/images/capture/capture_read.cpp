@@ -102,7 +102,7 @@ class CaptureReader {
     return inputError(entry.path.string(),
                       "the photograph is " + sizeText(header.width, header.height) + " but '" +
                           manifest_.photographs.front().file + "' is " + sizeText(width_, height_) +
-                          "; all photographs must be of one size");
+                          "; all photographs must have the same size");
   }
 
   Status readTheMask() {

@@ -163,8 +163,8 @@ Status writeCapture(const fs::path& path, const Measurements& measurements,
     return writeNewFolder(folder, measurements, options, context);
   }
   if (!fs::exists(folder / kCaptureFile, ignored)) {
-    return resourceError(place,
-                         "the folder holds other things than a capture; name a new or empty one");
+    return resourceError(
+        place, "the folder contains something other than a capture; name a new or empty one");
   }
   return writeFiles(folder, folder, measurements, options, context);
 }

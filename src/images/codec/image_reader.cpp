@@ -60,10 +60,11 @@ bool isHarmless(ImageFileKind kind, const std::string& message) {
 
 Status checkLayout(const OIIO::ImageSpec& spec, const std::string& place) {
   if (spec.deep) {
-    return inputError(place, "deep pixels (many samples in one) are not read; flatten the image");
+    return inputError(place,
+                      "deep pixels (many samples in one) are not supported; flatten the image");
   }
   if (spec.depth > 1) {
-    return inputError(place, "volumes are not read; save one slice as an image");
+    return inputError(place, "volumes are not supported; save one slice as an image");
   }
   if (spec.nchannels <= 0 || spec.width <= 0 || spec.height <= 0) {
     return inputError(place, "the image has no pixels or no channels; save it again");
@@ -80,7 +81,8 @@ Status checkLayout(const OIIO::ImageSpec& spec, const std::string& place) {
                                  std::to_string(kMostPixels) + " in all are read; make it smaller");
   }
   if (isFarOut(spec)) {
-    return inputError(place, "the window of the image lies absurdly far out; save it again");
+    return inputError(place,
+                      "the data window of the image lies implausibly far out; save it again");
   }
   return {};
 }
@@ -158,7 +160,7 @@ Result<ImagePart> ImageReader::part(int index) try {
   const auto type = sampleTypeOf(spec.format);
   if (!type) {
     return inputError(place_, std::string("samples of type ") + spec.format.c_str() +
-                                  " are not read; convert to 8 or 16 bit, half or float");
+                                  " are not supported; convert to 8 or 16 bit, half or float");
   }
   part.type = *type;
   part.name = std::string(spec.get_string_attribute("oiio:subimagename"));
@@ -203,7 +205,7 @@ Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::vector<
                                spec.nchannels, transferType(part), buffer.data() + offset)
           : input_->read_scanlines(part.index, 0, y0, y1, 0, 0, spec.nchannels, transferType(part),
                                    buffer.data() + offset);
-  // A cut-off TIFF or JPEG reads with success; only the message tells.
+  // A cut-off TIFF or JPEG reads with success; only the message says so.
   const std::string message = input_->geterror();
   if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
   return {};

@@ -54,7 +54,7 @@ class Writer {
   }
 
  private:
-  // PNG and TIFF tell of a full disk only here.
+  // PNG and TIFF report a full disk only here.
   Status state() {
     const std::string message = output_->geterror();
     if (sink_ && sink_->failed()) return full();

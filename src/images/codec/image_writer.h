@@ -23,7 +23,7 @@ struct OutputPart {
   std::vector<Plane> channels;  // one per channel of the spec
 };
 
-// Writes to `file`, a temporary of writeAtomically; `place` is the name that errors tell. What the
+// Writes to `file`, a temporary of writeAtomically; `place` is the name that errors give. What the
 // file cannot keep of the metadata must not keep it from being written: if the header is refused,
 // `plain` is tried, the same specs without what was carried over, and said in a notice.
 Status writeParts(const std::filesystem::path& file, const std::string& place, ImageFileKind kind,

@@ -48,7 +48,7 @@ Result<ImageFileKind> identifyImageFile(const fs::path& path) {
     return inputError(place, "this is a folder; name an image in it");
   }
   if (!fs::is_regular_file(status)) {
-    return inputError(place, "this is no plain file; name an image file");
+    return inputError(place, "this is not a regular file; name an image file");
   }
   const std::string extension = lowerExtension(path);
   if (std::find(kRawExtensions.begin(), kRawExtensions.end(), extension) != kRawExtensions.end()) {

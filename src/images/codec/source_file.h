@@ -8,7 +8,7 @@
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
-#include "src/images/image_formats.h"
+#include "src/images/codec/image_formats.h"
 
 namespace cutis {
 

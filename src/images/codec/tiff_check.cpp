@@ -21,7 +21,7 @@ struct Field {
   int bytesEach = 0;
 };
 
-// Only what a list of offsets may be made of: SHORT, LONG and LONG8.
+// Knows only what a list of offsets may be made of: SHORT, LONG and LONG8.
 int bytesOfType(std::uint64_t type) {
   switch (type) {
     case 3:
@@ -47,7 +47,7 @@ class TiffFile {
 
   std::uint64_t length() const { return length_; }
 
-  // Nothing beyond the end of the file.
+  // Returns nothing beyond the end of the file.
   std::optional<std::uint64_t> number(std::uint64_t position, int bytes) {
     const auto list = values({position, 1, bytes});
     return list ? std::optional(list->front()) : std::nullopt;

@@ -3,7 +3,7 @@
 // Whether a TIFF file is whole.
 //
 // OpenImageIO reads pixels that are compressed as JPEG through an interface of libtiff that fills
-// what is missing with grey and says nothing; the directory tells how long the file must be.
+// what is missing with grey and says nothing; the directory says how long the file must be.
 
 #include <filesystem>
 

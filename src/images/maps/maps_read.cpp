@@ -204,7 +204,7 @@ class MapsReader {
     CUTIS_TRY(spoiled, invalidateSpoiledPixels(maps, context_));
     if (spoiled > 0) {
       context_.say(reader_.place() + ": " + std::to_string(spoiled) +
-                   " pixels hold no values that skin can have and were marked as invalid");
+                   " pixels have values that skin cannot have and were marked as invalid");
     }
     return {};
   }

@@ -73,7 +73,7 @@ class HalfTest : public QObject {
     }
   }
 
-  // Between each two neighbours: the middle goes to the even one, anything off it to the nearer.
+  // Between each two neighbours the middle goes to the even one, anything off it to the nearer.
   void everyGapRoundsToNearestEven() {
     for (std::uint16_t half = 0; half < 0x7bff; ++half) {
       const float middle = 0.5f * (toFloat(half) + toFloat(static_cast<std::uint16_t>(half + 1)));

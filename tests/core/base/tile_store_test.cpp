@@ -93,7 +93,7 @@ class TileStoreTest : public QObject {
     EXPECT_OK(held);
     for (std::uint64_t i = 2; i < 10; ++i)
       EXPECT_OK(store.put(tileNumber(i)));
-    // Not written: it would have stayed in memory anyway.
+    // The tile is not written, since it would have stayed in memory anyway.
     QVERIFY(store.statistics().bytesInMemory <= 2 * kTile);
     QVERIFY(store.get(key.value()).value() == held.value());
     store.remove(key.value());

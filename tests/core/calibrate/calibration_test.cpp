@@ -88,7 +88,7 @@ class CalibrationTest : public QObject {
     for (std::size_t k = 0; k < kTruth.size(); ++k) {
       EXPECT_NEAR(found.value().constants[k], kTruth[k], 0.02 * kTruth[k]);
     }
-    // Of squared errors over squared aims.
+    // The cost is a mean of squared errors over squared aims.
     EXPECT_AT_MOST(found.value().cost, 1e-3);
   }
 
@@ -143,7 +143,7 @@ class CalibrationTest : public QObject {
     QVERIFY((some.measured.col(2) == set_.measured.col(0)).all());
   }
 
-  // From the wide prior towards that of the people.
+  // The prior moves from the wide one towards that of the people.
   void thePriorIsThatOfThePeople() {
     Prior truth = profile_.prior;
     truth.mean = {0.05, 0.6, 0.03, 0.02, 0.001};

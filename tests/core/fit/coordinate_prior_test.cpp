@@ -47,7 +47,7 @@ class CoordinatePriorTest : public QObject {
     }
   }
 
-  // Of two that go together, knowing one tells of the other: μ + ρ s/s' (x' − μ'), s √(1 − ρ²).
+  // Where two go together, knowing one informs of the other: μ + ρ s/s' (x' − μ'), s √(1 − ρ²).
   void heldParametersTellOfTheOthers() {
     Prior prior = test::li2024().profile().prior;
     prior.correlation(kMelanin, kMelaninBlend) = prior.correlation(kMelaninBlend, kMelanin) = -0.5;

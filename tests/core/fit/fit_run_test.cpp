@@ -230,7 +230,7 @@ class FitRunTest : public QObject {
     CountingSolver solver;
     solver.whenSolving = [&] { source.request_stop(); };
     QVERIFY(runFit(picture, solver, FitPlanes(picture, {}, nullptr), context).cancelled());
-    // At most what was in flight on each thread.
+    // No more was solved than what was in flight on each thread.
     QVERIFY(solver.solved <= 16 * 256);
   }
 

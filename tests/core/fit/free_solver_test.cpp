@@ -258,7 +258,7 @@ class FreeSolverTest : public QObject {
     options.fixed = {0.02, 0.5, 0.02, 0.01, std::nullopt};
     EXPECT_OK(checkChannelsDecide(test::albedoRig(), options, "--free"));
     options.fixed = {};
-    // Of a grey camera three channels are one; a light twice is one; a dead channel is none.
+    // Three channels of a grey camera are one; a light twice is one; a dead channel is none.
     Rig grey = test::manyLightRig();
     grey.camera.sensor.sensitivity.row(1) = grey.camera.sensor.sensitivity.row(0);
     grey.camera.sensor.sensitivity.row(2).setZero();

@@ -131,7 +131,7 @@ class FreeSpectraFitTest : public QObject {
       ofThickness.push_back(
           std::abs(std::log(fits[i].constants.thicknessMm / crowd[i].constants.thicknessMm)));
     }
-    // Diffusion is exact; the tables of radiative transfer are not, and a thickness tells it.
+    // Diffusion is exact; the tables of radiative transfer are not, and a thickness shows it.
     EXPECT_AT_MOST(misfit, transfer ? 2e-5 : 1e-9);
     EXPECT_AT_MOST(std::ranges::max(ofOxygenation), transfer ? 0.005 : 1e-6);
     EXPECT_AT_MOST(std::ranges::max(ofThickness), transfer ? 0.02 : 1e-6);

@@ -29,7 +29,7 @@ struct Person {
 // profile's, or above what diffusion can describe, as far as they are free.
 std::vector<Person> crowd(const SkinModel& model, const FreeConstants& free, int count);
 
-// By a model that is made for each person's constants.
+// Photographs by a model that is made for each person's constants.
 PixelSet photographCrowd(const SkinModel& model, const Rig& rig, const std::vector<Person>& people,
                          double noise);
 

@@ -77,7 +77,7 @@ class MapEstimatorTest : public QObject {
         const ParameterVector x = objective.coordinates(estimate.parameters);
         for (int k = 0; k < kParameterCount; ++k) {
           const double deviation = std::sqrt(estimate.covariance(k, k));
-          // In units of the posterior: cost per standard deviation.
+          // The slope in units of the posterior: cost per standard deviation.
           const double perDeviation =
               slope(objective, channels, x, k, 1e-4 * deviation) * deviation;
           const double maximum = model().profile().axes[std::size_t(k)].maximum;
@@ -118,7 +118,7 @@ class MapEstimatorTest : public QObject {
     }
   }
 
-  // Without noise and prior a whole spectrum says all.
+  // Without noise and prior a whole spectrum determines all parameters.
   void recoversParametersFromSpectra() {
     EstimatorOptions options;
     options.noise = {0.001, 0.0};

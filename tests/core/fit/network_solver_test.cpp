@@ -104,7 +104,7 @@ class NetworkSolverTest : public QObject {
     for (std::size_t i = 0; i < people.size(); ++i)
       sum += test::visibleError(people[i], solutions.at(i));
     EXPECT_AT_MOST(sum / 300.0, 1e-5);
-    // By the plain way: inputs in double precision, the network likewise.
+    // The plain way has inputs in double precision, and the network likewise.
     for (std::size_t i = 0; i < 20; ++i) {
       const Eigen::MatrixXd seen = pixels.at(i).transpose();
       const Eigen::MatrixXd logs = channels.value().inputs(seen).array().log();

@@ -47,7 +47,7 @@ struct Fitted {
     return {test::li2024(), chooseNodes(test::li2024(), responseRows(test::monitorRig())), prior,
             noise};
   }
-  // Of the coordinate: of the logarithm where the prior has it.
+  // The deviation of the coordinate, which is the logarithm where the prior has it.
   double deviation(std::size_t pixel, int k) const {
     const double found = double{deviations[static_cast<std::size_t>(k) * pixels.count + pixel]};
     return prior.isLog(k) ? found / solutions.at(pixel)[k] : found;

@@ -86,7 +86,7 @@ class RefinedAccuracyTest : public QObject {
     EXPECT_AT_MOST(notConverged, 0.001 * kAccuracyPixels);
   }
 
-  // Over the whole box of the profile, darkest and reddest skin included.
+  // The whole box of the profile counts, darkest and reddest skin included.
   void agreesOverTheWholeBox() {
     const Prior prior = test::li2024().profile().prior;
     const auto solver = solverOf(test::monitorRig(), optionsOf(prior));

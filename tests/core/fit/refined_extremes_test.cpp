@@ -239,7 +239,7 @@ class RefinedExtremesTest : public QObject {
     }
   }
 
-  // As many channels as a rig may have.
+  // The rig has as many channels as a rig may have.
   void theLargestRigFits() {
     Rig rig = test::monitorRig();
     while (rig.lights.size() < kMaximumLights) {

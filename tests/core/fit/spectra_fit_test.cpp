@@ -20,7 +20,7 @@ const SkinModel& spectraModel() {
   return test::li2024();
 }
 
-// In steps of 10 nm.
+// Wavelengths in steps of 10 nm.
 std::vector<double> wavelengths(double from = 400.0, double to = 700.0) {
   std::vector<double> nm;
   for (double w = from; w <= to; w += 10.0)

@@ -8,7 +8,7 @@
 
 namespace cutis::test {
 
-// Of li2024, every 97th entry of its table.
+// The basis of every 97th entry of the table of li2024.
 const SpectraBasis& sampledBasis();
 
 // A few seconds' worth of training: errors some ten times those of the defaults.

@@ -115,7 +115,7 @@ class TrainingTest : public QObject {
     options = {};
     options.activation = Activation::linear;
     EXPECT_ERROR(trainSpectraNetwork(test::li2024(), test::sampledBasis(), options, state, {}),
-                 "an activation that bends");
+                 "a nonlinear activation");
     SpectraNetwork foreign = test::quickSpectraNetwork();
     foreign.profile = {1.0f};
     const NetworkChannels channels = networkChannels(test::monitorRig());
@@ -130,7 +130,7 @@ class TrainingTest : public QObject {
     odd.names.pop_back();
     EXPECT_ERROR(
         trainChromophoreNetwork(test::li2024(), odd, test::quickSpectraNetwork(), {}, state, {}),
-        "one name for each input");
+        "the number of input names");
   }
 
   void statesOfOtherNetworksAreRefused() {

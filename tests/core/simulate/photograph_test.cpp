@@ -137,7 +137,7 @@ class PhotographTest : public QObject {
       const auto expected = mask[i] > 0.0f ? PixelState::solved : PixelState::masked;
       QCOMPARE(states[i], static_cast<float>(expected));
       if (expected == PixelState::solved) continue;
-      // Of the observer's X and Z; skin has less Z.
+      // These are the observer's X and Z; skin has less Z.
       QVERIFY(blue[i] > 1.2f * red[i]);
       QVERIFY(red[i] > 0.015f && blue[i] < 0.12f);
       lowest = std::min(lowest, red[i]);

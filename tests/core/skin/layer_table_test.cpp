@@ -22,7 +22,7 @@ const Profile& li2024() {
   return test::li2024().profile();
 }
 
-// As calibrated profiles come out: a thin epidermis over a dermis that scatters more.
+// Calibrated profiles come out like this: a thin epidermis over a dermis that scatters more.
 Profile thinSkin() {
   Profile profile = li2024();
   profile.epidermalThicknessMm = 0.065;

@@ -92,7 +92,7 @@ class PriorTest : public QObject {
       p.correlation(1, 2) = p.correlation(2, 1) = 0.9;
       p.correlation(0, 2) = p.correlation(2, 0) = -0.9;
     });
-    // On the linear scale a mean of 0 is one.
+    // On the linear scale a mean of 0 is a proper mean.
     Prior linear = correlated();
     linear.scale = PriorScale::linear;
     linear.mean.setZero();

@@ -238,7 +238,7 @@ class TwoLayerProfileTest : public QObject {
     QVERIFY(counts([](Profile& p) { p.dermalScatteringLaw->rayleigh.referenceNm += 1; }));
     QVERIFY(counts([](Profile& p) { p.dermalScatteringLaw.reset(); }));
     QVERIFY(counts([](Profile& p) { p.layerOptics = LayerOpticsKind::diffusion; }));
-    // Not the prior.
+    // The prior does not count.
     QVERIFY(!counts([](Profile& p) { p.prior = {}; }));
   }
 };

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// Of CIE 15 at 1 nm; what the literature computes with.
+// White points of CIE 15 at 1 nm, which the literature computes with.
 const Vector3d kD65 = {0.95047, 1.0, 1.08883};
 const Vector3d kA = {1.09850, 1.0, 0.35585};
 

@@ -224,7 +224,7 @@ class AddingDoublingTest : public QObject {
     EXPECT_NEAR(transport({{50.0, 10.0, 1e-9}, {0.2, 8.0}}).reflectance, bare, 1e-6);
     EXPECT_NEAR(transport({{0.0, 0.0, 5.0}, {0.2, 8.0}}).reflectance, bare, 1e-14);
     EXPECT_NEAR(transport({{1e6, 10.0, 0.1}, {0.2, 8.0}}).reflectance, 0.0, 1e-5);
-    // Nothing scatters: what enters dies on its way, but for the reflection at the far side.
+    // Nothing scatters: what enters is absorbed on its way, but for the reflection at the far side.
     const TransportResult glass = transport({{3.0, 0.0, 1.0}});
     const double through = std::exp(-3.0), rho = 1.0 / 36.0;
     EXPECT_NEAR(glass.transmittance, (1 - rho) * through / (1 - rho * rho * through * through),

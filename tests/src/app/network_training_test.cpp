@@ -1,4 +1,4 @@
-// Training of both networks: what is told while it runs, and going on after it was stopped.
+// Training of both networks: what is reported while it runs, and going on after it was stopped.
 
 #include "src/app/training/network_training.h"
 

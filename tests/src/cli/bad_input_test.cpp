@@ -35,7 +35,7 @@ const std::vector<BadInput> kBadInputs = {
     {"render skin.png -o x.png", kInput, "skin.png: this is not a Cutis maps file"},
     {"edit missing.exr -o x.exr", kInput, "missing.exr: "},
     {"info empty.png", kInput, "empty.png: "},
-    {"fit sizes -o x.exr", kInput, "all photographs must be of one size"},
+    {"fit sizes -o x.exr", kInput, "all photographs must have the same size"},
     {"fit syntax -o x.exr", kInput, "syntax/capture.json:2:"},
     {"fit outside -o x.exr", kInput, "in or below the folder of the capture"},
     {"fit lamp -o x.exr", kInput, "lamp/capture.json: images[0].light"},

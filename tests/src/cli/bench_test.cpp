@@ -1,4 +1,4 @@
-// bench: a small run has all its figures; wrong outputs are told before any work.
+// bench: a small run has all its figures; wrong outputs are reported before any work.
 
 #include <algorithm>
 #include <fstream>
@@ -97,8 +97,8 @@ class BenchTest : public QObject {
     QVERIFY(outcome_.output.find("scaled from 1024²") != std::string::npos);
   }
 
-  // Of all channels, the paper's five, white light alone; each noise, the paper's protocol of none
-  // first.
+  // Networks of all channels, the paper's five and white light alone, at each noise; the paper's
+  // protocol has none and comes first.
   void networksAreJudged() {
     std::vector<int> channels;
     for (const auto& row : report_["networks"])
@@ -154,7 +154,7 @@ class BenchTest : public QObject {
     }
   }
 
-  // Without waiting for the end.
+  // The first tables do not wait for the end.
   void firstTablesAppearAtOnce() {
     const auto process = run_.start("bench --quick");
     QVERIFY(process->waitForStarted());

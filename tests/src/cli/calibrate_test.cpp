@@ -1,5 +1,5 @@
 // calibrate-profile: the constants and the prior that made spectra are found, with intervals and
-// figures, the same for any number of cores; wrong input is told.
+// figures, the same for any number of cores; wrong input is reported.
 
 #include <QtTest>
 

@@ -62,7 +62,7 @@ class FitOptionsTest : public QObject {
     EXPECT_DONE(run_.run("fit own -o searched.exr --profile skin2026 --method three-stage"));
   }
 
-  // Photographs with the sheen of the surface in them, told so, give the skin below it.
+  // Photographs with the sheen of the surface give the skin below it where the option says so.
   void theSurfaceReflectionIsTakenOff() {
     const MeasurementGeometry surface = measurementGeometry(SpecularPart::included, 1.4, 0.05);
     const auto capture = readCapture(run_ / "cap", {}, nullptr, {});

@@ -25,7 +25,7 @@ std::vector<Spectrum> people(int count) {
   return spectra;
 }
 
-// From 360 to 740 nm in steps of 10 nm.
+// Samples from 360 to 740 nm in steps of 10 nm.
 constexpr int kFirst = 30, kLast = 220, kStep = 5;
 
 std::string spectraInRows(const std::vector<Spectrum>& spectra) {
@@ -100,7 +100,7 @@ class FitSpectraTest : public QObject {
     QTest::newRow("unknown") << "water"
                              << "'water' cannot be found by a fit";
     QTest::newRow("twice") << "thickness,thickness"
-                           << "'thickness' is there twice";
+                           << "'thickness' is named twice";
   }
   void whatCannotBeFreeIsRefused() {
     QFETCH(QString, names);

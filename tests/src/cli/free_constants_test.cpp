@@ -137,7 +137,7 @@ class FreeConstantsTest : public QObject {
   void wrongWordsAreRefused() {
     for (const auto& [options, sentence] :
          {std::pair{"--free oxygen", "'oxygen' cannot be found"},
-          {"--free thickness,thickness", "is there twice"},
+          {"--free thickness,thickness", "is named twice"},
           {"--free oxygenation --shading", "does not go with --shading"},
           {"--free oxygenation --method three-stage", "only the method refined takes this"},
           {"--free oxygenation --lights 420", "3 independent channels where 6 values"}}) {

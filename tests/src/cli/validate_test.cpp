@@ -1,5 +1,5 @@
 // validate, and how spectra are measured: skin that a profile made is found again whatever the
-// measurement, every profile and plot is there, wrong input is told.
+// measurement, every profile and plot is there, wrong input is reported.
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +112,7 @@ class ValidateTest : public QObject {
       QCOMPARE(row.size(), kColumns - 1);
       for (std::size_t i = 0; i < 4; ++i)
         EXPECT_AT_MOST(row[i], 0.0);
-      // What the visible does not tell of the parameters matters little beyond.
+      // What the visible leaves open of the parameters matters little beyond.
       EXPECT_AT_MOST(row[4], 1e-3);
       EXPECT_AT_MOST(row[5], 1e-3);
       // A colour is no spectrum.
@@ -145,7 +145,7 @@ class ValidateTest : public QObject {
     }
   }
 
-  // On a machine that has neither a display nor fonts.
+  // Plots are drawn on a machine that has neither a display nor fonts.
   void severalPlotsAreDrawnAsPng() {
     const QByteArray fonts = qgetenv("FONTCONFIG_FILE"), platform = qgetenv("QT_QPA_PLATFORM");
     run_.write("fonts.conf", "<?xml version=\"1.0\"?>\n<fontconfig></fontconfig>\n");

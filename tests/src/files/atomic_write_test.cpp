@@ -38,7 +38,7 @@ class AtomicWriteTest : public QObject {
   // A device would be replaced by a file of its name.
   void devicesAreLeftAlone() {
     if (!fs::exists("/dev/null")) QSKIP("no devices that are files here");
-    EXPECT_ERROR(writeTextAtomically("/dev/null", "text"), "no ordinary file");
+    EXPECT_ERROR(writeTextAtomically("/dev/null", "text"), "not a regular file");
     QVERIFY(fs::is_character_file("/dev/null"));
   }
 
@@ -170,7 +170,7 @@ class AtomicWriteTest : public QObject {
     EXPECT_ERROR(checkWritable(folder / std::string(256, 'n')), "choose a shorter one");
   }
 
-  // Of several at once one wins, whole.
+  // When several write at once, one wins, whole.
   void writersDoNotMix() {
     const test::ScratchFolder folder;
     {

@@ -56,7 +56,7 @@ class PriorFileTest : public QObject {
     EXPECT_NEAR(linear.value().deviation[kCarotene], 0.001, 0.0);
   }
 
-  // As in "log", but for the parameters "linear" names.
+  // The scale is "log" but for the parameters that "linear" names.
   void scalesMayBeMixed() {
     const auto mixed = read(
         R"({"scale": "log", "linear": ["carotene"],

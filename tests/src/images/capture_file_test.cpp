@@ -188,7 +188,7 @@ class CaptureFileTest : public QObject {
     EXPECT_ERROR(readWith("\"linear\"", "\"sRGB\""), "encoding must be \"linear\"");
     EXPECT_ERROR(readWith("\"encoding\": \"linear\",", ""), "encoding must be a text");
     EXPECT_ERROR(readWith("\"encoding\"", "\"chart\": {}, \"encoding\""),
-                 "charts are not in this version; use scale");
+                 "charts are not supported by this version; use scale");
     EXPECT_ERROR(readWith("\"encoding\"", "\"encodng\": 1, \"encoding\""),
                  "unknown field 'encodng'");
     EXPECT_ERROR(readWith("\"monitor\"", "\"monitr\""), "did you mean 'monitor'");

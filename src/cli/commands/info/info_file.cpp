@@ -140,8 +140,8 @@ Result<std::string> describeImage(const std::string& path, const Session& sessio
   text += line("size", sizeText(header.width, header.height));
   text += line("channels", listOf(header.channelNames));
   text += line("samples", sampleTypeName(header.sourceType));
-  text +=
-      line("colour space", header.colorSpace.empty() ? "not told by the file" : header.colorSpace);
+  text += line("colour space",
+               header.colorSpace.empty() ? "not stated in the file" : header.colorSpace);
   text += line("colour profile", header.metadata.hasColorProfile() ? "embedded" : "");
   for (const char* name : {"Make", "Model", "DateTime", "ImageDescription", "Copyright"}) {
     text += line(name, header.metadata.text(name).value_or(""));
@@ -186,7 +186,7 @@ Result<std::string> describeJson(const std::string& path, const Session& session
            line("seed", std::to_string(recipe.seed));
   }
   return inputError(path,
-                    "this is no capture, rig, profile or recipe; such a file begins with "
+                    "this is not a capture, rig, profile or recipe; such a file begins with "
                     "\"cutis_capture\", \"cutis_rig\", \"cutis_profile\" or "
                     "\"cutis_recipe\"");
 }

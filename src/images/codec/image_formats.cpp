@@ -1,4 +1,4 @@
-#include "src/images/image_formats.h"
+#include "src/images/codec/image_formats.h"
 
 #include <algorithm>
 
