@@ -10,6 +10,7 @@
 
 #include "core/base/plane.h"
 #include "core/base/result.h"
+#include "core/skin/pixel_state.h"
 
 namespace cutis {
 
