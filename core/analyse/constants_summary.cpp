@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <span>
 
 #include "core/analyse/pixel_sample.h"
 #include "core/fit/free/free_prior.h"
@@ -18,7 +19,7 @@ double quantile(const std::vector<double>& sorted, double share) {
 
 // values, deviations: one a pixel, at least one.
 ConstantSummary summaryOf(SkinConstant constant, const FreePrior& prior, std::vector<double> values,
-                          const float* deviations) {
+                          std::span<const float> deviations) {
   ConstantSummary summary;
   summary.constant = constant;
   std::vector<double> open;
@@ -45,17 +46,16 @@ Result<std::vector<ConstantSummary>> summariseConstants(const Measurements& meas
   if (solver.free().count() == 0) return summaries;
   CUTIS_TRY(sample, samplePixels(measurements, &maps, kSummarisedPixels, context));
   if (sample.count == 0) return summaries;
-  std::vector<float> deviations(sample.parameters.size());
-  solver.deviations(sample.batch(), deviations.data());
-  const FreePrior prior = usualConstantsPrior(profile);
-  std::size_t row = kParameterCount * sample.count;
+  PixelBuffer<float> deviations(sample.values.rowCount(), sample.count);
+  solver.deviations(sample.channels.rows(), sample.values.rows(), deviations.rows());
+  const FreePrior prior = usualFreePrior(profile);
+  std::size_t row = kParameterCount;
   for (const SkinConstant constant : kSkinConstants) {
     if (!solver.free().has(constant)) continue;
-    const auto first = sample.parameters.begin() + static_cast<std::ptrdiff_t>(row);
-    summaries.push_back(summaryOf(constant, prior,
-                                  {first, first + static_cast<std::ptrdiff_t>(sample.count)},
-                                  deviations.data() + row));
-    row += sample.count;
+    const std::span<const float> values = sample.values[row];
+    summaries.push_back(
+        summaryOf(constant, prior, {values.begin(), values.end()}, deviations[row]));
+    ++row;
   }
   return summaries;
 }

@@ -29,7 +29,7 @@ struct Pixels {
          std::size_t first, std::size_t count)
       : parameters(count), oxygenations(count, profile.dermalBlood.oxygenation) {
     const auto value = [&](std::size_t row, std::size_t i) {
-      return double{sample.parameters[row * sample.count + first + i]};
+      return double{sample.values[row][first + i]};
     };
     for (std::size_t i = 0; i < count; ++i) {
       for (const Parameter parameter : kParameters)

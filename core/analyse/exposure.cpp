@@ -24,11 +24,13 @@ double scaleOf(int step) {
 
 // Share of the pixels that are inside the gamut at this scale.
 double insideShare(PixelSample sample, double scale, const Rig& rig, const PixelSolver& solver) {
-  for (float& value : sample.channels)
-    value *= static_cast<float>(scale);
-  std::vector<std::uint8_t> states(sample.count);
+  for (std::size_t k = 0; k < sample.channels.rowCount(); ++k) {
+    for (float& value : sample.channels[k])
+      value *= static_cast<float>(scale);
+  }
+  std::vector<PixelState> states(sample.count);
   std::vector<std::uint16_t> iterations(sample.count);
-  solver.solve(sample.batch(), {states.data(), iterations.data()});
+  solver.solve(sample.channels.rows(), sample.values.rows(), {states.data(), iterations.data()});
   const std::vector<double> differences = reconstructionDeltaE(rig, solver, sample);
   const auto inside = std::count_if(differences.begin(), differences.end(),
                                     [](double d) { return d <= kSameColorDeltaE; });
@@ -43,7 +45,7 @@ Result<ExposureChoice> chooseExposure(const Measurements& measurements, const Pi
   plain.exposure = 1.0;
   CUTIS_TRY(sample, samplePixels(plain, nullptr, kMostPixels, context));
   if (sample.count == 0) return ExposureChoice{};
-  sample.parameters.resize(solver.valueCount() * sample.count);
+  sample.values = PixelBuffer<float>(solver.valueCount(), sample.count);
   constexpr auto count = static_cast<std::size_t>(kBrightestStep - kDarkestStep + 1);
   std::vector<ExposureChoice> choices(count);
   CUTIS_CHECK(parallelFor(count, context, [&](std::size_t i) -> Status {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kGamutPixels = 65536;
 constexpr double kMostDeviations = 3.0;
 
-GamutStatistics byColor(const Rig& rig, const PixelSolver& solver, PixelSample& sample) {
+GamutStatistics byColor(const Rig& rig, const PixelSolver& solver, const PixelSample& sample) {
   std::vector<double> differences = reconstructionDeltaE(rig, solver, sample);
   const auto inside = std::partition(differences.begin(), differences.end(), [](double difference) {
     return difference <= kSameColorDeltaE;
@@ -27,17 +27,16 @@ GamutStatistics byColor(const Rig& rig, const PixelSolver& solver, PixelSample& 
 }
 
 GamutStatistics byNoise(const NoiseModel& noise, std::size_t channelCount,
-                        const PixelSolver& solver, PixelSample& sample) {
-  std::vector<float> residuals(sample.channels.size());
-  solver.residuals(sample.batch(), residuals.data());
+                        const PixelSolver& solver, const PixelSample& sample) {
+  PixelBuffer<float> residuals(sample.channels.rowCount(), sample.count);
+  solver.residuals(sample.channels.rows(), sample.values.rows(), residuals.rows());
   std::size_t outside = 0;
   for (std::size_t i = 0; i < sample.count; ++i) {
     double sum = 0.0;
     for (std::size_t k = 0; k < channelCount; ++k) {
-      const std::size_t at = k * sample.count + i;
-      const double deviation = std::sqrt(noise.variance(double{sample.channels[at]}));
+      const double deviation = std::sqrt(noise.variance(double{sample.channels[k][i]}));
       // A black channel under purely proportional noise says nothing.
-      if (deviation > 0.0) sum += std::pow(double{residuals[at]} / deviation, 2);
+      if (deviation > 0.0) sum += std::pow(double{residuals[k][i]} / deviation, 2);
     }
     if (!(std::sqrt(sum / static_cast<double>(channelCount)) <= kMostDeviations)) ++outside;
   }

@@ -9,11 +9,6 @@
 namespace cutis {
 namespace {
 
-bool hasEstimate(float state) {
-  return state == static_cast<float>(PixelState::solved) ||
-         state == static_cast<float>(PixelState::noConvergence);
-}
-
 float quantileOf(std::vector<float>& values, double share) {
   const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
@@ -44,7 +39,7 @@ Result<std::optional<ValueSpread>> spreadOf(const Plane& values, const Plane& st
     CUTIS_CHECK(state.load(rect, states));
     CUTIS_CHECK(values.load(rect, pixels));
     for (std::size_t i = 0; i < states.size(); ++i) {
-      if (hasEstimate(states[i])) estimates.push_back(pixels[i]);
+      if (hasEstimate(pixelState(states[i]))) estimates.push_back(pixels[i]);
     }
   }
   if (estimates.empty()) return std::optional<ValueSpread>();

@@ -10,11 +10,11 @@
 
 #include "core/base/plane.h"
 #include "core/base/result.h"
+#include "core/skin/pixel_state.h"
 
 namespace cutis {
 
 // By PixelState.
-inline constexpr std::size_t kPixelStateCount = 5;
 using StateCounts = std::array<std::size_t, kPixelStateCount>;
 
 // state: as in ChromophoreMaps and Measurements. Values that are no state are passed over.

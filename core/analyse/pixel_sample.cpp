@@ -40,19 +40,13 @@ class Rows {
 };
 
 // Pixel by pixel to row by row: [i][k] → [k][i].
-std::vector<float> transposed(const std::vector<float>& pixels, std::size_t rows) {
-  std::vector<float> result(pixels.size());
-  const std::size_t count = rows == 0 ? 0 : pixels.size() / rows;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t k = 0; k < rows; ++k)
-      result[k * count + i] = pixels[i * rows + k];
+PixelBuffer<float> transposed(const std::vector<float>& pixels, std::size_t rows) {
+  PixelBuffer<float> result(rows, rows == 0 ? 0 : pixels.size() / rows);
+  for (std::size_t k = 0; k < rows; ++k) {
+    for (std::size_t i = 0; i < result.count(); ++i)
+      result[k][i] = pixels[i * rows + k];
   }
   return result;
-}
-
-bool canBeSolved(float state) {
-  const auto s = static_cast<PixelState>(static_cast<int>(state));
-  return s == PixelState::solved || s == PixelState::noConvergence;
 }
 
 // exposure: a factor on the channels.
@@ -71,7 +65,7 @@ Result<PixelSample> sampleOf(const std::vector<Plane>& channelPlanes, float expo
     CUTIS_CHECK(parameters.load(y));
     for (int column = 0; column < width; column += step) {
       const auto x = static_cast<std::size_t>(column);
-      if (!canBeSolved(state.at(0, x))) continue;
+      if (!hasEstimate(pixelState(state.at(0, x)))) continue;
       ++sample.count;
       for (std::size_t k = 0; k < channels.count(); ++k)
         seen.push_back(channels.at(k, x) * exposure);
@@ -80,7 +74,7 @@ Result<PixelSample> sampleOf(const std::vector<Plane>& channelPlanes, float expo
     }
   }
   sample.channels = transposed(seen, channels.count());
-  sample.parameters = transposed(known, parameters.count());
+  sample.values = transposed(known, parameters.count());
   return sample;
 }
 
@@ -99,17 +93,17 @@ Result<PixelSample> sampleMaps(const ChromophoreMaps& maps, std::size_t most,
 }
 
 std::vector<double> reconstructionDeltaE(const Rig& rig, const PixelSolver& solver,
-                                         PixelSample& sample) {
+                                         const PixelSample& sample) {
   const Eigen::Vector3d white = whitePoint(rig.lights.front().power, rig.camera.sensor);
-  std::vector<float> residuals(sample.channels.size());
-  solver.residuals(sample.batch(), residuals.data());
+  PixelBuffer<float> residuals(sample.channels.rowCount(), sample.count);
+  solver.residuals(sample.channels.rows(), sample.values.rows(), residuals.rows());
   std::vector<double> differences(sample.count);
   for (std::size_t i = 0; i < sample.count; ++i) {
     Eigen::Vector3d measured, modelled;
     for (int c = 0; c < 3; ++c) {
-      const std::size_t at = static_cast<std::size_t>(c) * sample.count + i;
-      measured[c] = double{sample.channels[at]} * white[c];
-      modelled[c] = measured[c] - double{residuals[at]} * white[c];
+      const auto k = static_cast<std::size_t>(c);
+      measured[c] = double{sample.channels[k][i]} * white[c];
+      modelled[c] = measured[c] - double{residuals[k][i]} * white[c];
     }
     differences[i] = deltaE2000(labFromXyz(measured, white), labFromXyz(modelled, white));
   }

@@ -16,14 +16,11 @@ namespace cutis {
 
 struct PixelSample {
   std::size_t count = 0;
-  std::vector<float> channels;    // [channel][count]
-  std::vector<float> parameters;  // [value][count], as in PixelBatch
-
-  PixelBatch batch() { return {count, count, channels.data(), parameters.data()}; }
+  PixelBuffer<float> channels, values;  // as in core/fit/pixel_solver.h
 };
 
 // Every n-th pixel of every n-th row, the least n that takes at most `most` pixels; only those that
-// can be solved. Parameters and constants are those of `maps`; without maps there are none.
+// can be solved. Values are those of `maps`; without maps there are none.
 Result<PixelSample> samplePixels(const Measurements& measurements, const ChromophoreMaps* maps,
                                  std::size_t most, const JobContext& context);
 
@@ -33,7 +30,7 @@ Result<PixelSample> sampleMaps(const ChromophoreMaps& maps, std::size_t most,
 
 // ΔE2000 between each pixel's measurement and its model, for a rig with an observer and one light.
 std::vector<double> reconstructionDeltaE(const Rig& rig, const PixelSolver& solver,
-                                         PixelSample& sample);
+                                         const PixelSample& sample);
 
 // Whether colours of the rig's pixels mean something: an observer under one light.
 bool seesColors(const Rig& rig);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 namespace cutis {
 namespace {
@@ -26,7 +27,7 @@ Result<std::vector<float>> weightsOf(const Edit& edit, const Rect& rect, int ste
   return weights;
 }
 
-void applyTo(std::vector<float>& values, const std::vector<bool>& present,
+void applyTo(std::span<float> values, const std::vector<bool>& present,
              const std::vector<float>& weights, const ParameterEdit& edit, EditLaw law,
              const ParameterAxis& axis) {
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -1,7 +1,6 @@
 #include "core/evaluate/error_protocol.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -60,16 +59,10 @@ FullSpectra::FullSpectra(const SkinModel& model) : nodes_(model, allSamples()) {
 
 void FullSpectra::evaluate(std::span<const ParameterVector> people,
                            std::vector<double>& out) const {
-  std::array<std::vector<double>, kParameterCount> columns;
-  ParameterBatch<double> batch;
-  batch.count = people.size();
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (const ParameterVector& person : people)
-      columns[k].push_back(person[static_cast<Eigen::Index>(k)]);
-    batch.values[k] = columns[k].data();
-  }
+  const PixelBuffer<double> parameters = parameterRows<double>(people);
   out.resize(kSampleCount * people.size());
-  reflectanceBatch<double>(nodes_, batch, out.data());
+  reflectanceBatch<double>(nodes_, parameters.rows(),
+                           packedRows(out.data(), kSampleCount, people.size()));
 }
 
 Result<ProtocolPixels> ProtocolPixels::create(const SkinModel& model, const Rig& rig,

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/skin/pixel_state.h"
 
 namespace cutis {
 namespace {
 
 bool isToSolve(float state) {
-  return static_cast<PixelState>(static_cast<int>(state)) == PixelState::solved;
+  return pixelState(state) == PixelState::solved;
 }
 
 // The first pixel of every block of a tile.
@@ -48,7 +47,7 @@ Status loadFirstPixels(const Load& load, const BlockGrid& grid, std::vector<floa
 
 // Values per block, and whether there are any.
 struct BlockValues {
-  std::vector<float> parameters;  // [parameter][block]
+  PixelBuffer<float> parameters;  // a block in place of a pixel
   std::vector<char> known;
 };
 
@@ -75,22 +74,22 @@ Result<BlockValues> solveBlocks(const Measurements& measurements, const PixelSol
       blocks.push_back(b);
     }
   }
-  std::vector<float> channels, parameters(solver.valueCount() * blocks.size());
+  PixelBuffer<float> channels(channelCount, blocks.size());
+  PixelBuffer<float> found(solver.valueCount(), blocks.size());
   for (std::size_t k = 0; k < channelCount; ++k) {
-    for (const std::size_t b : blocks)
-      channels.push_back(loaded[k * grid.count() + b]);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      channels[k][i] = loaded[k * grid.count() + blocks[i]];
   }
-  std::vector<std::uint8_t> solvedStates(blocks.size());
+  std::vector<PixelState> solvedStates(blocks.size());
   std::vector<std::uint16_t> iterations(blocks.size());
-  solver.solve({blocks.size(), blocks.size(), channels.data(), parameters.data()},
-               {solvedStates.data(), iterations.data()});
+  solver.solve(channels.rows(), found.rows(), {solvedStates.data(), iterations.data()});
   BlockValues values;
-  values.parameters.resize(kParameterCount * grid.count());
+  values.parameters = PixelBuffer<float>(kParameterCount, grid.count());
   values.known.resize(grid.count(), 0);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     values.known[blocks[i]] = 1;
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      values.parameters[k * grid.count() + blocks[i]] = parameters[k * blocks.size() + i];
+      values.parameters[k][blocks[i]] = found[k][i];
     }
   }
   return values;
@@ -103,13 +102,12 @@ Status fillTile(const Measurements& measurements, const BlockGrid& grid, const B
   // Nothing is known yet of a pixel whose block is not.
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (isToSolve(states[i]) && values.known[grid.blockOf(i)] == 0) {
-      states[i] = static_cast<float>(PixelState::masked);
+      states[i] = storedState(PixelState::masked);
     }
   }
   for (std::size_t k = 0; k < kParameterCount; ++k) {
     for (std::size_t i = 0; i < plane.size(); ++i) {
-      plane[i] =
-          isToSolve(states[i]) ? values.parameters[k * grid.count() + grid.blockOf(i)] : 0.0f;
+      plane[i] = isToSolve(states[i]) ? values.parameters[k][grid.blockOf(i)] : 0.0f;
     }
     CUTIS_CHECK(maps.values[k].store(grid.rect, plane));
   }

@@ -1,15 +1,14 @@
 #include "core/fit/fit_run.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 
 #include "core/base/parallel.h"
 #include "core/fit/pixel_grouping.h"
 #include "core/fit/tile_order.h"
-#include "core/skin/pixel_state.h"
 
 namespace cutis {
 namespace {
@@ -25,7 +24,7 @@ struct TileResult {
   std::vector<float> residuals;  // sampled, per pixel
 };
 
-// Working memory of one tile: rows of tile.pixelCount() floats.
+// Working memory of one tile: rows of its pixels.
 class TileFit {
  public:
   TileFit(const Measurements& measurements, const PixelSolver& solver, FitPlanes& planes,
@@ -34,59 +33,59 @@ class TileFit {
         solver_(solver),
         planes_(planes),
         rect_(rect),
-        pixelCount_(rect.pixelCount()),
-        channelCount_(measurements.channels.size()),
-        valueCount_(solver.valueCount()) {}
+        channels_(measurements.channels.size(), rect.pixelCount()),
+        states_(rect.pixelCount()) {}
 
   Result<TileResult> run(const JobContext& context) {
     CUTIS_CHECK(load());
     collect();
-    const PixelGrouping grouping =
-        groupEqualPixels(channels_.data(), channelCount_, pixelCount_, pixels_);
+    const PixelGrouping grouping = groupEqualPixels(channels_.rows(), pixels_);
     Solutions solutions = gather(grouping);
-    for (std::size_t begin = 0; begin < solutions.count; begin += kRunBatch) {
+    for (std::size_t begin = 0; begin < solutions.count(); begin += kRunBatch) {
       if (context.stopRequested()) return Cancelled{};
-      solutions.solve(solver_, begin, std::min(kRunBatch, solutions.count - begin));
+      solutions.solve(solver_, begin, std::min(kRunBatch, solutions.count() - begin));
     }
-    scatter(grouping, solutions);
+    count(grouping, solutions);
     sampleResiduals(grouping, solutions);
-    CUTIS_CHECK(store());
+    CUTIS_CHECK(store(grouping, solutions));
     return result_;
   }
 
  private:
   // Channels and results of the pixels to solve, packed.
   struct Solutions {
-    std::size_t count = 0;
-    std::vector<float> channels, parameters;
-    std::vector<float> deviations, residuals, shading;  // if wanted
-    std::vector<std::uint8_t> states;
+    PixelBuffer<float> channels, values;
+    PixelBuffer<float> deviations, residuals, shading;  // if wanted
+    std::vector<PixelState> states;
     std::vector<std::uint16_t> iterations;
 
+    std::size_t count() const { return states.size(); }
+
     void solve(const PixelSolver& solver, std::size_t begin, std::size_t size) {
-      const PixelBatch batch = {size, count, channels.data() + begin, parameters.data() + begin};
-      solver.solve(batch, {states.data() + begin, iterations.data() + begin});
-      if (!deviations.empty()) solver.deviations(batch, deviations.data() + begin);
-      if (!residuals.empty()) solver.residuals(batch, residuals.data() + begin);
-      if (!shading.empty()) solver.shading(batch, shading.data() + begin);
+      const PixelRows<const float> measured = channels.rows().part(begin, size);
+      const PixelRows<float> found = values.rows().part(begin, size);
+      solver.solve(measured, found, {states.data() + begin, iterations.data() + begin});
+      if (!deviations.empty())
+        solver.deviations(measured, found, deviations.rows().part(begin, size));
+      if (!residuals.empty()) solver.residuals(measured, found, residuals.rows().part(begin, size));
+      if (!shading.empty()) solver.shading(measured, found, shading[0].data() + begin);
     }
   };
 
   Status load() {
-    channels_.resize(channelCount_ * pixelCount_);
-    for (std::size_t k = 0; k < channelCount_; ++k) {
-      CUTIS_CHECK(measurements_.loadChannel(k, rect_, row(channels_, k)));
+    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
+      CUTIS_CHECK(measurements_.loadChannel(k, rect_, channels_[k]));
     }
-    states_.resize(pixelCount_);
     return measurements_.state.load(rect_, states_);
   }
 
   // Pixels there are to solve; counts the others.
   void collect() {
-    result_.pixels.total = pixelCount_;
-    std::vector<float> values(channelCount_);
-    for (std::size_t i = 0; i < pixelCount_; ++i) {
-      switch (static_cast<PixelState>(static_cast<int>(states_[i]))) {
+    result_.pixels.total = states_.size();
+    std::vector<float> pixel(channels_.rowCount());
+    const PixelRows<const float> channels = channels_.rows();
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      switch (pixelState(states_[i])) {
         case PixelState::masked:
           ++result_.pixels.masked;
           continue;
@@ -100,10 +99,10 @@ class TileFit {
         case PixelState::noConvergence:
           break;
       }
-      for (std::size_t k = 0; k < channelCount_; ++k)
-        values[k] = channels_[k * pixelCount_ + i];
-      if (classify(values, 1.0f, false) != PixelState::solved) {
-        states_[i] = static_cast<float>(PixelState::invalid);
+      for (std::size_t k = 0; k < pixel.size(); ++k)
+        pixel[k] = channels.at(k, i);
+      if (classify(pixel, 1.0f, false) != PixelState::solved) {
+        states_[i] = storedState(PixelState::invalid);
         ++result_.pixels.invalid;
         continue;
       }
@@ -112,62 +111,31 @@ class TileFit {
   }
 
   Solutions gather(const PixelGrouping& grouping) const {
+    const std::size_t count = grouping.representatives.size();
     Solutions solutions;
-    solutions.count = grouping.representatives.size();
-    solutions.channels.resize(channelCount_ * solutions.count);
-    for (std::size_t k = 0; k < channelCount_; ++k) {
-      for (std::size_t g = 0; g < solutions.count; ++g) {
-        solutions.channels[k * solutions.count + g] =
-            channels_[k * pixelCount_ + grouping.representatives[g]];
-      }
+    solutions.channels = picked(channels_, grouping.representatives);
+    solutions.values = PixelBuffer<float>(solver_.valueCount(), count);
+    solutions.states.resize(count);
+    solutions.iterations.resize(count);
+    if (!planes_.deviations.empty()) solutions.deviations = solutions.values;
+    if (!planes_.residuals.empty()) {
+      solutions.residuals = PixelBuffer<float>(channels_.rowCount(), count);
     }
-    solutions.parameters.resize(valueCount_ * solutions.count);
-    solutions.states.resize(solutions.count);
-    solutions.iterations.resize(solutions.count);
-    if (!planes_.deviations.empty()) {
-      solutions.deviations.resize(valueCount_ * solutions.count);
-    }
-    if (!planes_.residuals.empty()) solutions.residuals.resize(channelCount_ * solutions.count);
-    if (!planes_.shading.empty()) solutions.shading.resize(solutions.count);
+    if (!planes_.shading.empty()) solutions.shading = PixelBuffer<float>(1, count);
     return solutions;
   }
 
-  void scatter(const PixelGrouping& grouping, const Solutions& solutions) {
-    result_.pixels.solved = solutions.count;
-    result_.pixels.duplicate = pixels_.size() - solutions.count;
+  void count(const PixelGrouping& grouping, const Solutions& solutions) {
+    result_.pixels.solved = solutions.count();
+    result_.pixels.duplicate = pixels_.size() - solutions.count();
     for (const std::uint16_t n : solutions.iterations) {
       result_.iterations += n;
       result_.maximumIterations = std::max(result_.maximumIterations, int{n});
     }
-    values_.assign(valueCount_ * pixelCount_, 0.0f);
-    spread(grouping, solutions.parameters, solutions.count, valueCount_, values_);
-    if (!planes_.deviations.empty()) {
-      deviations_.assign(valueCount_ * pixelCount_, 0.0f);
-      spread(grouping, solutions.deviations, solutions.count, valueCount_, deviations_);
-    }
-    if (!planes_.residuals.empty()) {
-      residuals_.assign(channelCount_ * pixelCount_, 0.0f);
-      spread(grouping, solutions.residuals, solutions.count, channelCount_, residuals_);
-    }
-    if (!planes_.shading.empty()) {
-      shading_.assign(pixelCount_, 0.0f);
-      spread(grouping, solutions.shading, solutions.count, 1, shading_);
-    }
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      const std::uint32_t group = grouping.groupOf[i];
-      states_[pixels_[i]] = solutions.states[group];
-      if (solutions.states[group] == static_cast<int>(PixelState::noConvergence)) {
-        ++result_.pixels.noConvergence;
-      }
-    }
-  }
-
-  void spread(const PixelGrouping& grouping, const std::vector<float>& from, std::size_t stride,
-              std::size_t rows, std::vector<float>& to) const {
-    for (std::size_t k = 0; k < rows; ++k) {
-      for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        to[k * pixelCount_ + pixels_[i]] = from[k * stride + grouping.groupOf[i]];
-      }
+      const PixelState state = solutions.states[grouping.groupOf[i]];
+      states_[pixels_[i]] = storedState(state);
+      if (state == PixelState::noConvergence) ++result_.pixels.noConvergence;
     }
   }
 
@@ -180,57 +148,63 @@ class TileFit {
       const int y = rect_.y0 + static_cast<int>(pixels_[i] / width);
       if (x % kResidualStep == 0 && y % kResidualStep == 0) groups.push_back(grouping.groupOf[i]);
     }
-    const auto pick = [&](const std::vector<float>& rows, std::size_t rowCount) {
-      std::vector<float> picked;
-      for (std::size_t k = 0; k < rowCount; ++k) {
-        for (const std::uint32_t group : groups)
-          picked.push_back(rows[k * solutions.count + group]);
-      }
-      return picked;
-    };
-    const std::vector<float> channels = pick(solutions.channels, channelCount_);
-    std::vector<float> parameters = pick(solutions.parameters, valueCount_);
-    std::vector<float> residuals(channels.size());
-    solver_.residuals({groups.size(), groups.size(), channels.data(), parameters.data()},
-                      residuals.data());
+    const PixelBuffer<float> channels = picked(solutions.channels, groups);
+    const PixelBuffer<float> values = picked(solutions.values, groups);
+    PixelBuffer<float> residuals(channels.rowCount(), groups.size());
+    solver_.residuals(channels.rows(), values.rows(), residuals.rows());
     for (std::size_t i = 0; i < groups.size(); ++i) {
       double sum = 0.0;
-      for (std::size_t k = 0; k < channelCount_; ++k) {
-        const double r = residuals[k * groups.size() + i];
+      for (std::size_t k = 0; k < residuals.rowCount(); ++k) {
+        const double r = residuals[k][i];
         sum += r * r;
       }
       result_.residuals.push_back(
-          static_cast<float>(std::sqrt(sum / static_cast<double>(channelCount_))));
+          static_cast<float>(std::sqrt(sum / static_cast<double>(residuals.rowCount()))));
     }
   }
 
-  Status store() {
+  Status store(const PixelGrouping& grouping, const Solutions& solutions) {
     std::vector<Plane> values = planes_.maps.planes();
-    for (std::size_t k = 0; k < valueCount_; ++k) {
-      CUTIS_CHECK(values[k].store(rect_, row(values_, k)));
-      if (!planes_.deviations.empty()) {
-        CUTIS_CHECK(planes_.deviations[k].store(rect_, row(deviations_, k)));
-      }
+    CUTIS_CHECK(spread(grouping, solutions.values, values));
+    CUTIS_CHECK(spread(grouping, solutions.deviations, planes_.deviations));
+    CUTIS_CHECK(spread(grouping, solutions.residuals, planes_.residuals));
+    if (!planes_.shading.empty()) {
+      CUTIS_CHECK(spread(grouping, solutions.shading, std::span(&planes_.shading, 1)));
     }
-    for (std::size_t k = 0; k < planes_.residuals.size(); ++k) {
-      CUTIS_CHECK(planes_.residuals[k].store(rect_, row(residuals_, k)));
-    }
-    if (!planes_.shading.empty()) CUTIS_CHECK(planes_.shading.store(rect_, shading_));
     return planes_.maps.state.store(rect_, states_);
   }
 
-  std::span<float> row(std::vector<float>& values, std::size_t k) const {
-    return std::span<float>(values).subspan(k * pixelCount_, pixelCount_);
+  // A plane a row; 0 where nothing was solved.
+  Status spread(const PixelGrouping& grouping, const PixelBuffer<float>& from,
+                std::span<Plane> planes) const {
+    std::vector<float> pixels(rect_.pixelCount());
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      const std::span<const float> row = from[k];
+      for (std::size_t i = 0; i < pixels_.size(); ++i)
+        pixels[pixels_[i]] = row[grouping.groupOf[i]];
+      CUTIS_CHECK(planes[k].store(rect_, pixels));
+    }
+    return {};
+  }
+
+  static PixelBuffer<float> picked(const PixelBuffer<float>& from,
+                                   const std::vector<std::uint32_t>& pixels) {
+    PixelBuffer<float> to(from.rowCount(), pixels.size());
+    for (std::size_t k = 0; k < from.rowCount(); ++k) {
+      const std::span<const float> source = from[k];
+      const std::span<float> target = to[k];
+      for (std::size_t i = 0; i < pixels.size(); ++i)
+        target[i] = source[pixels[i]];
+    }
+    return to;
   }
 
   const Measurements& measurements_;
   const PixelSolver& solver_;
   FitPlanes& planes_;
   const Rect rect_;
-  const std::size_t pixelCount_;
-  const std::size_t channelCount_;
-  const std::size_t valueCount_;
-  std::vector<float> channels_, states_, values_, deviations_, residuals_, shading_;
+  PixelBuffer<float> channels_;
+  std::vector<float> states_;  // as they are stored
   std::vector<std::uint32_t> pixels_;
   TileResult result_;
 };

@@ -1,12 +1,10 @@
 #include "core/fit/network_solver.h"
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "core/neural/network_pipeline.h"
-#include "core/skin/pixel_state.h"
 #include "core/skin/profile/profile_signature.h"
 
 namespace cutis {
@@ -26,51 +24,40 @@ class NetworkSolver final : public PixelSolver {
         encoder_(NetworkPipeline::encoder(network)),
         combination_(combination.cast<float>()) {}
 
-  void solve(const PixelBatch& batch, const SolveReport& report) const override {
-    std::vector<float> combined;
-    const std::vector<const float*> inputs = inputsOf(batch, combined);
-    std::vector<float*> outputs;
-    for (std::size_t k = 0; k < kParameterCount; ++k) {
-      outputs.push_back(batch.parameters + k * batch.stride);
-    }
-    encoder_.run(batch.count, inputs, outputs, {});
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      const bool finite = std::all_of(outputs.begin(), outputs.end(),
-                                      [i](const float* plane) { return std::isfinite(plane[i]); });
-      for (float* plane : outputs) {
-        if (!finite) plane[i] = 0.0f;
+  void solve(PixelRows<const float> channels, PixelRows<float> values,
+             const SolveReport& report) const override {
+    PixelBuffer<float> combined;
+    encoder_.run(inputsOf(channels, combined), values, {});
+    for (std::size_t i = 0; i < channels.count; ++i) {
+      bool finite = true;
+      for (std::size_t k = 0; k < kParameterCount; ++k)
+        finite = finite && std::isfinite(values.at(k, i));
+      for (std::size_t k = 0; k < kParameterCount; ++k) {
+        if (!finite) values.at(k, i) = 0.0f;
       }
-      report.states[i] =
-          static_cast<std::uint8_t>(finite ? PixelState::solved : PixelState::noConvergence);
+      report.states[i] = finite ? PixelState::solved : PixelState::noConvergence;
       report.iterations[i] = 0;
     }
   }
 
   // The network answers with one point.
   bool hasDeviations() const override { return false; }
-  void deviations(const PixelBatch&, float*) const override {}
+  void deviations(PixelRows<const float>, PixelRows<const float>, PixelRows<float>) const override {
+  }
   const char* stage() const override { return "network"; }
 
  private:
-  static const float* channelOf(const PixelBatch& batch, Eigen::Index channel) {
-    return batch.channels + static_cast<std::size_t>(channel) * batch.stride;
-  }
-
-  std::vector<const float*> inputsOf(const PixelBatch& batch, std::vector<float>& combined) const {
-    std::vector<const float*> inputs;
-    if (combination_.size() == 0) {
-      for (int k = 0; k < channelCount(); ++k)
-        inputs.push_back(channelOf(batch, k));
-      return inputs;
-    }
-    combined.assign(static_cast<std::size_t>(combination_.rows()) * batch.count, 0.0f);
+  PixelRows<const float> inputsOf(PixelRows<const float> channels,
+                                  PixelBuffer<float>& combined) const {
+    if (combination_.size() == 0) return channels;
+    combined = PixelBuffer<float>(static_cast<std::size_t>(combination_.rows()), channels.count);
     for (Eigen::Index input = 0; input < combination_.rows(); ++input) {
-      float* plane = combined.data() + static_cast<std::size_t>(input) * batch.count;
+      float* row = combined[static_cast<std::size_t>(input)].data();
       for (Eigen::Index k = 0; k < combination_.cols(); ++k)
-        addScaled(channelOf(batch, k), combination_(input, k), batch.count, plane);
-      inputs.push_back(plane);
+        addScaled(channels.row(static_cast<std::size_t>(k)), combination_(input, k), channels.count,
+                  row);
     }
-    return inputs;
+    return combined.rows();
   }
 
   NetworkPipeline encoder_;

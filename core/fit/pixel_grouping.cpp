@@ -15,11 +15,8 @@ constexpr std::uint32_t kFree = UINT32_MAX;
 
 class Grouper {
  public:
-  Grouper(const float* channels, std::size_t channelCount, std::size_t stride, std::size_t capacity)
-      : channels_(channels),
-        channelCount_(channelCount),
-        stride_(stride),
-        slots_(std::bit_ceil(2 * capacity), kFree) {}
+  Grouper(PixelRows<const float> channels, std::size_t capacity)
+      : channels_(channels), slots_(std::bit_ceil(2 * capacity), kFree) {}
 
   // Index of the group of this pixel among `representatives`, to which it is added if new.
   std::uint32_t group(std::uint32_t pixel, std::vector<std::uint32_t>& representatives) {
@@ -35,33 +32,30 @@ class Grouper {
 
  private:
   std::uint32_t bits(std::size_t channel, std::uint32_t pixel) const {
-    return std::bit_cast<std::uint32_t>(channels_[channel * stride_ + pixel]);
+    return std::bit_cast<std::uint32_t>(channels_.at(channel, pixel));
   }
 
   std::size_t hash(std::uint32_t pixel) const {
     std::uint64_t h = 0;
-    for (std::size_t k = 0; k < channelCount_; ++k)
+    for (std::size_t k = 0; k < channels_.rowCount; ++k)
       h = mixBits(h ^ bits(k, pixel));
     return static_cast<std::size_t>(h);
   }
 
   bool equal(std::uint32_t a, std::uint32_t b) const {
-    for (std::size_t k = 0; k < channelCount_; ++k) {
+    for (std::size_t k = 0; k < channels_.rowCount; ++k) {
       if (bits(k, a) != bits(k, b)) return false;
     }
     return true;
   }
 
-  const float* channels_;
-  std::size_t channelCount_;
-  std::size_t stride_;
+  PixelRows<const float> channels_;
   std::vector<std::uint32_t> slots_;
 };
 
-bool sampleRepeats(const float* channels, std::size_t channelCount, std::size_t stride,
-                   const std::vector<std::uint32_t>& pixels) {
+bool sampleRepeats(PixelRows<const float> channels, const std::vector<std::uint32_t>& pixels) {
   if (pixels.size() <= kSample) return true;
-  Grouper grouper(channels, channelCount, stride, kSample);
+  Grouper grouper(channels, kSample);
   std::vector<std::uint32_t> representatives;
   // A run of neighbours repeats colours as the whole does, far more often than scattered pixels.
   const std::size_t first = (pixels.size() - kSample) / 2;
@@ -72,17 +66,17 @@ bool sampleRepeats(const float* channels, std::size_t channelCount, std::size_t 
 
 }  // namespace
 
-PixelGrouping groupEqualPixels(const float* channels, std::size_t channelCount, std::size_t stride,
+PixelGrouping groupEqualPixels(PixelRows<const float> channels,
                                const std::vector<std::uint32_t>& pixels) {
   PixelGrouping grouping;
   grouping.groupOf.reserve(pixels.size());
-  if (!sampleRepeats(channels, channelCount, stride, pixels)) {
+  if (!sampleRepeats(channels, pixels)) {
     grouping.representatives = pixels;
     for (std::uint32_t i = 0; i < pixels.size(); ++i)
       grouping.groupOf.push_back(i);
     return grouping;
   }
-  Grouper grouper(channels, channelCount, stride, pixels.size());
+  Grouper grouper(channels, pixels.size());
   for (const std::uint32_t pixel : pixels) {
     grouping.groupOf.push_back(grouper.group(pixel, grouping.representatives));
   }

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/pixel_rows.h"
+
 namespace cutis {
 
 struct PixelGrouping {
@@ -13,10 +15,10 @@ struct PixelGrouping {
   std::vector<std::uint32_t> groupOf;          // per pixel handed in: index into representatives
 };
 
-// channels: [channel][stride]; pixels: which of them to group, increasing. Equal means the same
-// bits in every channel. Where a sample of the pixels shows hardly any repetition every pixel is
-// its own group: looking for equals would cost more than it saves.
-PixelGrouping groupEqualPixels(const float* channels, std::size_t channelCount, std::size_t stride,
+// pixels: which of them to group, increasing. Equal means the same bits in every channel. Where a
+// sample of the pixels shows hardly any repetition every pixel is its own group: looking for equals
+// would cost more than it saves.
+PixelGrouping groupEqualPixels(PixelRows<const float> channels,
                                const std::vector<std::uint32_t>& pixels);
 
 }  // namespace cutis

@@ -1,7 +1,11 @@
 #pragma once
 
-// One interface for all methods: channels of a batch of pixels in, parameters out, and the
-// constants of the profile that are free.
+// One interface for all methods: channels of pixels in, parameters out, and the constants of the
+// profile that are free.
+//
+// Channels: a row per channel of the rig, finite and not negative. Values: a row per parameter and
+// then, in the order of SkinConstant, one per free constant, in the values' units; as many pixels
+// as there are of channels.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,46 +13,42 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/pixel_rows.h"
 #include "core/fit/shading.h"
+#include "core/skin/pixel_state.h"
 #include "core/skin/response_model.h"
 
 namespace cutis {
 
-// Pixels side by side: one row of `stride` floats per channel or value, of which the first `count`
-// count. Values are the parameters and then, in the order of SkinConstant, the free constants.
-struct PixelBatch {
-  std::size_t count = 0;
-  std::size_t stride = 0;
-  const float* channels = nullptr;  // [channel][stride], finite and not negative
-  float* parameters = nullptr;      // [value][stride], in the values' units
-};
-
-// What solving says about each pixel beside its parameters.
+// What solving says about each pixel beside its values.
 struct SolveReport {
-  std::uint8_t* states = nullptr;       // PixelState, solved or noConvergence
+  PixelState* states = nullptr;         // solved or noConvergence
   std::uint16_t* iterations = nullptr;  // 0 for a search
 };
 
 // Thread-safe: const after construction. A pixel's result is a function of its own channels alone,
-// whatever stands beside it in the batch.
+// whatever stands beside it.
 class PixelSolver {
  public:
   virtual ~PixelSolver() = default;
 
-  // Writes batch.parameters.
-  virtual void solve(const PixelBatch& batch, const SolveReport& report) const = 0;
+  // Writes the values.
+  virtual void solve(PixelRows<const float> channels, PixelRows<float> values,
+                     const SolveReport& report) const = 0;
 
-  // Posterior standard deviations at batch.parameters, in the values' units: [value][stride].
-  // Precondition: hasDeviations().
-  virtual void deviations(const PixelBatch& batch, float* deviations) const = 0;
+  // Posterior standard deviations at the values, laid out like them. Precondition: hasDeviations().
+  virtual void deviations(PixelRows<const float> channels, PixelRows<const float> values,
+                          PixelRows<float> deviations) const = 0;
   virtual bool hasDeviations() const = 0;
 
-  // Measured minus modelled, shading included, at batch.parameters: [channel][stride].
-  void residuals(const PixelBatch& batch, float* residuals) const;
+  // Measured minus modelled, shading included, at the values: laid out like the channels.
+  void residuals(PixelRows<const float> channels, PixelRows<const float> values,
+                 PixelRows<float> residuals) const;
 
-  // The factor on all channels at batch.parameters, one per pixel. Precondition: hasShading().
-  void shading(const PixelBatch& batch, float* factors) const;
-  bool hasShading() const { return shading_.has_value(); }
+  // The factor on all channels at the values, one per pixel. Precondition: the fit
+  // estimates it.
+  void shading(PixelRows<const float> channels, PixelRows<const float> values,
+               float* factors) const;
 
   // What the interface calls its work, e.g. "refined fit".
   virtual const char* stage() const = 0;
@@ -57,7 +57,7 @@ class PixelSolver {
   const SpectralNodes& nodes() const { return channels_->nodes(); }
   int channelCount() const { return channels_->rowCount(); }
   FreeConstants free() const { return channels_->free(); }
-  // Rows of PixelBatch::parameters.
+  // Rows of the values.
   std::size_t valueCount() const {
     return static_cast<std::size_t>(kParameterCount + free().count());
   }
@@ -70,7 +70,7 @@ class PixelSolver {
   const ResponseModel& channelModel() const { return *channels_; }
 
  private:
-  void evaluateChannels(const PixelBatch& batch, float* modelled) const;
+  void evaluateChannels(PixelRows<const float> values, PixelRows<float> modelled) const;
 
   std::shared_ptr<const ResponseModel> channels_;
   std::optional<ShadingModel> shading_;

@@ -7,8 +7,7 @@
 // so that the fit looks for the five parameters alone, with the factor following them ("variable
 // projection", Golub & Pereyra 1973): core/fit/refined/linearise-inl.h. Thread-safe.
 
-#include <cstddef>
-
+#include "core/base/pixel_rows.h"
 #include "core/rig/rig.h"
 
 namespace cutis {
@@ -22,8 +21,8 @@ struct ShadingModel {
 };
 
 // s that minimises Σ (y − s f)² / σ² + (s − 1)² / deviation² over the channels y as measured, f as
-// modelled: arrays of `channelCount` values, `stride` apart. NaN where a channel is.
-float shadingFactor(const ShadingModel& model, const float* measured, const float* modelled,
-                    int channelCount, std::size_t stride);
+// modelled: of one pixel, the same rows of both. NaN where a channel is.
+float shadingFactor(const ShadingModel& model, PixelRows<const float> measured,
+                    PixelRows<const float> modelled);
 
 }  // namespace cutis

@@ -9,7 +9,6 @@ namespace cutis {
 
 class Damping {
  public:
-  Damping() = default;
   // Never less than this: from there, fewer refusals lead to short steps.
   explicit Damping(double least) : least_(least) {}
 
@@ -22,14 +21,11 @@ class Damping {
     value_ = std::max(value_, least_);
   }
   void reject() { value_ *= 10.0; }
-  // Steps are so short that they are lost in rounding.
-  bool exhausted() const { return value_ > kMost; }
 
  private:
   static constexpr double kFirst = 1e-3;
-  static constexpr double kMost = 1e10;
 
-  double least_ = 1e-12;
+  double least_;
   double value_ = kFirst;
 };
 

@@ -1,8 +1,7 @@
 #pragma once
 
 // The normal equations of N coordinates, summed up wavelength by wavelength for many parameter sets
-// at once: an inner part of core/fit/spectra/spectra_equations.cpp and
-// core/fit/spectra/free_misfit.cpp.
+// at once.
 
 #include <cstddef>
 #include <vector>

@@ -29,11 +29,12 @@ struct Block {
   }
 };
 
-HWY_INLINE void Load(const NetworkPass& pass, const NetworkPixels& pixels, const Block& block) {
+HWY_INLINE void Load(const NetworkPass& pass, const PixelRows<const float>& inputs,
+                     const Block& block) {
   const hn::ScalableTag<float> d;
   for (std::size_t k = 0; k < pass.inputCount; ++k) {
     float* row = block.values + k * kSampleStep;
-    const float* from = pixels.inputs[k] + block.first;
+    const float* from = inputs.data + k * inputs.stride + block.first;
     for (std::size_t i = 0; i < block.live; ++i)
       row[i] = from[i];
     for (std::size_t i = block.live; i < kSampleStep; ++i)
@@ -79,7 +80,7 @@ HWY_INLINE void Coordinates(const NetworkPass& pass, const Block& block) {
   }
 }
 
-HWY_INLINE void Run(const KernelLayer* layers, std::size_t count, Block& block) {
+HWY_INLINE void Run(const DenseKernelLayer* layers, std::size_t count, Block& block) {
   for (std::size_t i = 0; i < count; ++i) {
     Forward(layers[i], block.values, block.next, kSampleStep);
     block.swap();
@@ -92,7 +93,8 @@ HWY_INLINE void StoreRow(const float* row, const Block& block, float* to) {
     to[block.first + i] = row[i] + block.poison[i];
 }
 
-HWY_INLINE void StoreParameters(const NetworkPass& pass, const Block& block, float* const* to) {
+HWY_INLINE void StoreParameters(const NetworkPass& pass, const Block& block,
+                                const PixelRows<float>& to) {
   const hn::ScalableTag<float> d;
   float* row = block.next;
   for (int k = 0; k < kParameterCount; ++k) {
@@ -105,28 +107,29 @@ HWY_INLINE void StoreParameters(const NetworkPass& pass, const Block& block, flo
         value = hn::Mul(value, coordinate);
       hn::StoreU(value, d, row + i);
     }
-    StoreRow(row, block, to[k]);
+    StoreRow(row, block, to.data + static_cast<std::size_t>(k) * to.stride);
   }
 }
 
-void Pass(const NetworkPass& pass, const NetworkPixels& pixels, float* scratch) {
-  for (std::size_t first = 0; first < pixels.count; first += kSampleStep) {
-    const std::size_t left = pixels.count - first;
+void Pass(const NetworkPass& pass, const PixelRows<const float>& inputs,
+          const PixelRows<float>& parameters, const PixelRows<float>& outputs, float* scratch) {
+  for (std::size_t first = 0; first < inputs.count; first += kSampleStep) {
+    const std::size_t left = inputs.count - first;
     Block block = {scratch, scratch + pass.widest * kSampleStep,
                    scratch + 2 * pass.widest * kSampleStep, first,
                    left < kSampleStep ? left : kSampleStep};
-    Load(pass, pixels, block);
+    Load(pass, inputs, block);
     if (pass.encoderLayers > 0) {
       Logarithms(pass, block);
       Run(pass.encoder, pass.encoderLayers, block);
-      if (pixels.parameters != nullptr) StoreParameters(pass, block, pixels.parameters);
+      if (parameters.data != nullptr) StoreParameters(pass, block, parameters);
     } else {
       Coordinates(pass, block);
     }
     if (pass.decoderLayers == 0) continue;
     Run(pass.decoder, pass.decoderLayers, block);
     for (std::size_t k = 0; k < pass.outputCount; ++k) {
-      StoreRow(block.values + k * kSampleStep, block, pixels.outputs[k]);
+      StoreRow(block.values + k * kSampleStep, block, outputs.data + k * outputs.stride);
     }
   }
 }
@@ -144,8 +147,9 @@ std::size_t networkScratchSize(const NetworkPass& pass) {
   return (2 * pass.widest + 1) * kSampleStep;
 }
 
-void runNetworkKernel(const NetworkPass& pass, const NetworkPixels& pixels, float* scratch) {
-  HWY_DYNAMIC_DISPATCH(Pass)(pass, pixels, scratch);
+void runNetworkKernel(const NetworkPass& pass, PixelRows<const float> inputs,
+                      PixelRows<float> parameters, PixelRows<float> outputs, float* scratch) {
+  HWY_DYNAMIC_DISPATCH(Pass)(pass, inputs, parameters, outputs, scratch);
 }
 
 }  // namespace cutis

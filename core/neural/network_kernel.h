@@ -9,6 +9,7 @@
 
 #include <cstddef>
 
+#include "core/base/pixel_rows.h"
 #include "core/neural/dense/dense_kernel.h"
 #include "core/skin/profile/parameter.h"
 
@@ -24,10 +25,10 @@ struct KernelAxis {
 struct NetworkPass {
   // Leads from logarithms of channels to coordinates of parameters; none where the inputs are
   // parameters.
-  const KernelLayer* encoder = nullptr;
+  const DenseKernelLayer* encoder = nullptr;
   std::size_t encoderLayers = 0;
-  // Leads from coordinates to the rows asked for; none where only parameters are.
-  const KernelLayer* decoder = nullptr;
+  // From coordinates to the rows asked for; none where only parameters are.
+  const DenseKernelLayer* decoder = nullptr;
   std::size_t decoderLayers = 0;
   KernelAxis axes[kParameterCount] = {};
   float smallestChannel = 0.0f;  // channels below count as this
@@ -37,18 +38,13 @@ struct NetworkPass {
   std::size_t widest = 0;       // units of the widest layer, inputs and outputs included
 };
 
-// Planes of `count` pixels.
-struct NetworkPixels {
-  std::size_t count = 0;
-  const float* const* inputs = nullptr;
-  float* const* parameters = nullptr;  // may be null: nobody asks for them
-  float* const* outputs = nullptr;     // may be null where there is no decoder
-};
-
 // Floats of scratch that a pass needs.
 std::size_t networkScratchSize(const NetworkPass& pass);
 
-// scratch: aligned as in core/neural/dense/aligned_floats.h, or slower.
-void runNetworkKernel(const NetworkPass& pass, const NetworkPixels& pixels, float* scratch);
+// A row per input, parameter or output, of as many pixels as there are inputs. parameters: without
+// data nobody asks for them; outputs: without data where there is no decoder. scratch: aligned as
+// in core/neural/dense/aligned_floats.h, or slower.
+void runNetworkKernel(const NetworkPass& pass, PixelRows<const float> inputs,
+                      PixelRows<float> parameters, PixelRows<float> outputs, float* scratch);
 
 }  // namespace cutis

@@ -9,18 +9,15 @@ namespace cutis {
 namespace {
 
 // Moving a network leaves its arrays where they are, so these survive a move of the pipeline.
-std::vector<KernelLayer> kernelLayers(const DenseNetwork& network) {
-  std::vector<KernelLayer> layers;
-  for (const DenseLayer& layer : network.layers) {
-    layers.push_back({layer.weights.data(), layer.bias.data(),
-                      static_cast<std::size_t>(layer.inputs),
-                      static_cast<std::size_t>(layer.outputs), layer.activation});
-  }
+std::vector<DenseKernelLayer> kernelLayers(const DenseNetwork& network) {
+  std::vector<DenseKernelLayer> layers;
+  for (const DenseLayer& layer : network.layers)
+    layers.push_back(kernelLayer(layer));
   return layers;
 }
 
-std::size_t widestOf(const std::vector<KernelLayer>& layers, std::size_t widest) {
-  for (const KernelLayer& layer : layers)
+std::size_t widestOf(const std::vector<DenseKernelLayer>& layers, std::size_t widest) {
+  for (const DenseKernelLayer& layer : layers)
     widest = std::max({widest, layer.inputs, layer.outputs});
   return widest;
 }
@@ -80,21 +77,18 @@ std::size_t NetworkPipeline::workPerPixel() const {
          (decoder_.layers.empty() ? 0 : decoder_.workPerSample());
 }
 
-void NetworkPipeline::run(std::size_t count, std::span<const float* const> inputs,
-                          std::span<float* const> parameters,
-                          std::span<float* const> outputs) const {
-  assert(inputs.size() == pass_.inputCount);
-  assert(parameters.empty() || parameters.size() == std::size_t{kParameterCount});
-  assert(outputs.size() == pass_.outputCount);
+void NetworkPipeline::run(PixelRows<const float> inputs, PixelRows<float> parameters,
+                          PixelRows<float> outputs) const {
+  assert(inputs.rowCount == pass_.inputCount);
+  assert(parameters.rowCount == 0 || parameters.rowCount == std::size_t{kParameterCount});
+  assert(outputs.rowCount == pass_.outputCount);
   NetworkPass pass = pass_;
   pass.encoder = encoderLayers_.data();
   pass.encoderLayers = encoderLayers_.size();
   pass.decoder = decoderLayers_.data();
   pass.decoderLayers = decoderLayers_.size();
   AlignedFloats scratch(networkScratchSize(pass));
-  const NetworkPixels pixels = {count, inputs.data(),
-                                parameters.empty() ? nullptr : parameters.data(), outputs.data()};
-  runNetworkKernel(pass, pixels, scratch.data());
+  runNetworkKernel(pass, inputs, parameters, outputs, scratch.data());
 }
 
 }  // namespace cutis

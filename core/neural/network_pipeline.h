@@ -13,14 +13,12 @@
 // count as that; parameters outside the axes as the nearest value inside. Against evaluate() of the
 // same networks in double precision, rows and coordinates are within 2e-5.
 
-#include <optional>
-#include <span>
 #include <vector>
 
+#include "core/base/pixel_rows.h"
 #include "core/neural/chromophore_network.h"
 #include "core/neural/network_kernel.h"
 #include "core/neural/spectra_network.h"
-#include "core/skin/model/reflectance_batch.h"
 
 namespace cutis {
 
@@ -45,11 +43,11 @@ class NetworkPipeline {
   // Multiply-adds per pixel.
   std::size_t workPerPixel() const;
 
-  // Planes of `count` pixels; inputs: channels, or parameters in the order of Parameter.
-  // parameters: five planes where there is an encoder, or none if nobody asks; outputs: none
-  // without a decoder.
-  void run(std::size_t count, std::span<const float* const> inputs,
-           std::span<float* const> parameters, std::span<float* const> outputs) const;
+  // inputs: a row per channel, or per parameter in the order of Parameter. parameters: five rows
+  // where there is an encoder, or none if nobody asks; outputs: none without a decoder. All of as
+  // many pixels as there are inputs.
+  void run(PixelRows<const float> inputs, PixelRows<float> parameters,
+           PixelRows<float> outputs) const;
 
  private:
   NetworkPipeline(const DenseNetwork* encoder, const DenseNetwork* decoder,
@@ -57,8 +55,8 @@ class NetworkPipeline {
 
   DenseNetwork encoder_;  // what the kernel's layers point into
   DenseNetwork decoder_;
-  std::vector<KernelLayer> encoderLayers_;
-  std::vector<KernelLayer> decoderLayers_;
+  std::vector<DenseKernelLayer> encoderLayers_;
+  std::vector<DenseKernelLayer> decoderLayers_;
   NetworkPass pass_;
 };
 

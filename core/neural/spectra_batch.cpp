@@ -1,7 +1,6 @@
 #include "core/neural/spectra_batch.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "core/base/parallel.h"
@@ -23,18 +22,9 @@ std::vector<int> allSamples() {
 SpectraSource::SpectraSource(const SkinModel& model) : nodes_(model, allSamples()) {}
 
 SpectraBlock SpectraSource::spectra(const ParameterVector* people, std::size_t count) const {
-  std::array<std::vector<float>, kParameterCount> columns;
-  ParameterBatch<float> batch;
-  batch.count = count;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    columns[k].resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      columns[k][i] = static_cast<float>(people[i][static_cast<Eigen::Index>(k)]);
-    }
-    batch.values[k] = columns[k].data();
-  }
+  const PixelBuffer<float> parameters = parameterRows<float>({people, count});
   SpectraBlock block(static_cast<Eigen::Index>(count), kSampleCount);
-  reflectanceBatch<float>(nodes_, batch, block.data());
+  reflectanceBatch<float>(nodes_, parameters.rows(), packedRows(block.data(), kSampleCount, count));
   return block;
 }
 

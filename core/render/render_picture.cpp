@@ -60,7 +60,8 @@ Result<PictureBuffer> mapPart(const EditedSkin& skin, Parameter parameter, const
                               int step) {
   CUTIS_TRY(parameters, loadEdited(skin, rect, step));
   PictureBuffer part = emptyPart(rect, step);
-  part.channels = {std::move(parameters.values[static_cast<std::size_t>(parameter)])};
+  const std::span<const float> values = parameters.values[static_cast<std::size_t>(parameter)];
+  part.channels.emplace_back(values.begin(), values.end());
   part.present = std::move(parameters.present);
   return part;
 }

@@ -20,7 +20,7 @@ Result<SkinSpectra> SkinSpectra::make(std::shared_ptr<const SkinModel> model,
 Spectrum SkinSpectra::reflectance(const ParameterVector& parameters,
                                   const SkinConstants& constants) const {
   if (skin_ == nullptr) return model_->reflectance(parameters);
-  const SkinConstants possible = skin_->places().clamped(constants);
+  const SkinConstants possible = skin_->coordinates().clamped(constants);
   const std::vector<double> values =
       skin_->evaluate({&parameters, 1}, {&possible, 1}, false).reflectance;
   return Eigen::Map<const Spectrum>(values.data());

@@ -19,7 +19,7 @@ struct Measurements {
   // One plane per channel of the rig, linear, perfect diffuser = 1, all of one size; as they were
   // read, before the exposure.
   std::vector<Plane> channels;
-  // PixelState as a number; `solved` here means that the pixel is there to be solved.
+  // storedState() of each pixel; `solved` here means that the pixel is there to be solved.
   Plane state;
   // A positive factor on all channels, for pictures that are brighter or darker than the skin
   // reflects. loadChannel() applies it, so that another exposure reads no file again; states do not

@@ -42,7 +42,7 @@ Status removeSurfaceReflection(const MeasurementGeometry& geometry,
           CUTIS_CHECK(below[k].store(rect, values));
         }
         for (std::size_t p = 0; p < states.size(); ++p) {
-          if (states[p] != static_cast<float>(PixelState::solved)) continue;
+          if (pixelState(states[p]) != PixelState::solved) continue;
           ++there;
           if (isDark[p]) ++dark;
         }

@@ -29,9 +29,9 @@ Result<SpectrumRows> sampledSpectra(const SkinModel& model, int count, int first
 Result<ChannelModel> ChannelModel::create(const SkinModel& model, const Rig& rig,
                                           const FreeConstants& free, const JobContext& context) {
   if (free.count() > 0) {
-    CUTIS_TRY(variable, FreeResponse::make(model, responseRows(rig), free, kNodeOptions, context));
+    CUTIS_TRY(response, FreeResponse::make(model, responseRows(rig), free, kNodeOptions, context));
     ChannelModel channels(model, {}, rig.channelCount());
-    channels.variable_ = std::make_shared<const FreeResponse>(std::move(variable));
+    channels.freeResponse_ = std::make_shared<const FreeResponse>(std::move(response));
     return channels;
   }
   CUTIS_TRY(training, sampledSpectra(model, kTrainingCount, 0, context.child(0.0, 0.3)));
@@ -52,18 +52,26 @@ ChannelModel::ChannelModel(const SkinModel& model, const SpectralNodes& nodes, i
   }
 }
 
-void ChannelModel::evaluate(const ParameterBatch<float>& batch, std::vector<float>& reflectance,
-                            float* const* channels) const {
-  if (variable_ != nullptr) return variable_->evaluate(batch, {channels, channelCount()});
-  reflectance.resize(batch.count * static_cast<std::size_t>(nodes_.nodeCount()));
-  reflectanceBatch<float>(nodes_, batch, reflectance.data());
+void ChannelModel::evaluate(PixelRows<const float> values, std::vector<float>& reflectance,
+                            PixelRows<float> channels) const {
+  if (freeResponse_ != nullptr) {
+    std::vector<float*> rows;
+    for (std::size_t k = 0; k < channels.rowCount; ++k)
+      rows.push_back(channels.row(k));
+    return freeResponse_->evaluate(values, rows);
+  }
+  const auto nodeCount = static_cast<std::size_t>(nodes_.nodeCount());
+  reflectance.resize(nodeCount * values.count);
+  const auto atNodes = packedRows(reflectance.data(), nodeCount, values.count);
+  reflectanceBatch<float>(nodes_, values, atNodes);
   for (std::size_t k = 0; k < weights_.size(); ++k) {
-    std::fill(channels[k], channels[k] + batch.count, 0.0f);
-    for (std::size_t n = 0; n < weights_[k].size(); ++n) {
+    float* channel = channels.row(k);
+    std::fill_n(channel, values.count, 0.0f);
+    for (std::size_t n = 0; n < nodeCount; ++n) {
       const float weight = weights_[k][n];
-      const float* values = reflectance.data() + n * batch.count;
-      for (std::size_t i = 0; i < batch.count; ++i)
-        channels[k][i] += weight * values[i];
+      const float* node = atNodes.row(n);
+      for (std::size_t i = 0; i < values.count; ++i)
+        channel[i] += weight * node[i];
     }
   }
 }

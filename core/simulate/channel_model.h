@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/job_context.h"
+#include "core/base/pixel_rows.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 #include "core/skin/free/free_response.h"
@@ -31,16 +32,17 @@ class ChannelModel {
 
   std::size_t channelCount() const { return weights_.size(); }
 
-  // channels[k][i] for each pixel of the batch; `reflectance` is working memory.
-  void evaluate(const ParameterBatch<float>& batch, std::vector<float>& reflectance,
-                float* const* channels) const;
+  // values: as for ResponseModel::evaluate(). channels: a row each, of as many pixels;
+  // `reflectance` is working memory.
+  void evaluate(PixelRows<const float> values, std::vector<float>& reflectance,
+                PixelRows<float> channels) const;
 
  private:
   ChannelModel(const SkinModel& model, const SpectralNodes& nodes, int channelCount);
 
   CompiledModel nodes_;
-  std::vector<std::vector<float>> weights_;       // by channel, then node
-  std::shared_ptr<const FreeResponse> variable_;  // instead of both, where something is free
+  std::vector<std::vector<float>> weights_;           // by channel, then node
+  std::shared_ptr<const FreeResponse> freeResponse_;  // instead of both, where something is free
 };
 
 }  // namespace cutis

@@ -30,20 +30,20 @@ struct Sitting {
   const std::uint64_t seed;
 };
 
-// Channels of one tile, in a plane each.
+// Channels of one tile, a row each.
 class TileExposure {
  public:
   TileExposure(const Sitting& sitting, const Rect& rect)
       : sitting_(sitting),
         rect_(rect),
-        channels_(sitting.model.channelCount(), std::vector<float>(rect.pixelCount())) {}
+        channels_(sitting.model.channelCount(), rect.pixelCount()) {}
 
   Status run(Measurements& photographs) {
     CUTIS_TRY(skin, loadParameters(sitting_.maps, rect_));
     exposeSkin(skin);
     exposeBackdrop(skin.present);
     addNoise();
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
+    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
       CUTIS_CHECK(photographs.channels[k].store(rect_, channels_[k]));
     }
     return photographs.state.store(rect_, states(skin.present));
@@ -52,28 +52,20 @@ class TileExposure {
  private:
   void exposeSkin(const ParameterBuffer& skin) {
     std::vector<float> reflectance;
-    std::vector<float*> out(channels_.size());
     for (std::size_t begin = 0; begin < skin.count(); begin += kBatch) {
-      ParameterBatch<float> batch = skin.batch();
-      batch.count = std::min(kBatch, skin.count() - begin);
+      const std::size_t count = std::min(kBatch, skin.count() - begin);
       const auto first = skin.present.begin() + static_cast<std::ptrdiff_t>(begin);
-      const auto last = first + static_cast<std::ptrdiff_t>(batch.count);
+      const auto last = first + static_cast<std::ptrdiff_t>(count);
       if (std::find(first, last, true) == last) continue;
-      for (const float*& values : batch.values)
-        values += begin;
-      for (const float*& values : batch.constants) {
-        if (values != nullptr) values += begin;
-      }
-      for (std::size_t k = 0; k < out.size(); ++k)
-        out[k] = channels_[k].data() + begin;
-      sitting_.model.evaluate(batch, reflectance, out.data());
+      sitting_.model.evaluate(skin.batch().part(begin, count), reflectance,
+                              channels_.rows().part(begin, count));
     }
   }
 
   void exposeBackdrop(const std::vector<bool>& present) {
     if (std::find(present.begin(), present.end(), false) == present.end()) return;
     const std::vector<float> level = sitting_.backdrop.level(rect_);
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
+    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
       const float reading = sitting_.backdrop.channel(k);
       for (std::size_t i = 0; i < level.size(); ++i) {
         if (!present[i]) channels_[k][i] = reading * level[i];
@@ -84,7 +76,7 @@ class TileExposure {
   void addNoise() {
     const auto deviation = static_cast<float>(sitting_.proportionalNoise);
     const auto pictureWidth = static_cast<std::uint64_t>(sitting_.maps.width());
-    for (std::size_t k = 0; k < channels_.size(); ++k) {
+    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
       const std::uint64_t key = noiseKey(sitting_.seed, kNoiseStream + k);
       float* value = channels_[k].data();
       for (int y = rect_.y0; y < rect_.y1; ++y) {
@@ -105,14 +97,14 @@ class TileExposure {
     std::vector<float> states;
     states.reserve(present.size());
     for (const bool skin : present) {
-      states.push_back(static_cast<float>(skin ? PixelState::solved : PixelState::masked));
+      states.push_back(storedState(skin ? PixelState::solved : PixelState::masked));
     }
     return states;
   }
 
   const Sitting& sitting_;
   const Rect rect_;
-  std::vector<std::vector<float>> channels_;
+  PixelBuffer<float> channels_;
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ Status paintInto(SimulatedSkin& skin, const PatchPainter& painter, const Paramet
   std::vector<float> states;
   states.reserve(mask.size());
   for (const float inside : mask) {
-    states.push_back(static_cast<float>(inside > 0.0f ? PixelState::solved : PixelState::masked));
+    states.push_back(storedState(inside > 0.0f ? PixelState::solved : PixelState::masked));
   }
   PatchTile tile = painter.paint(rect);
   limit(mask, axes, tile);

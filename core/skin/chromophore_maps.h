@@ -16,7 +16,7 @@ namespace cutis {
 struct ChromophoreMaps {
   // Indexed by Parameter, in its unit; 0 where there is no estimate.
   std::array<Plane, kParameterCount> values;
-  // PixelState as a number.
+  // storedState() of each pixel.
   Plane state;
   // Indexed by SkinConstant, 0 where there is no estimate; empty: the profile's own holds.
   std::array<Plane, kConstantCount> constants;

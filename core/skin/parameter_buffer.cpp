@@ -1,66 +1,50 @@
 #include "core/skin/parameter_buffer.h"
 
 #include <cstddef>
+#include <span>
 
 #include "core/skin/pixel_state.h"
 
 namespace cutis {
 namespace {
 
-// Loads whole rows, a band at a time, and keeps every step-th.
-Status loadEvery(const Plane& plane, const Rect& rect, int step, std::vector<float>& out) {
-  if (step == 1) {
-    out.resize(rect.pixelCount());
-    return plane.load(rect, out);
-  }
+std::size_t countOf(const Rect& rect, int step) {
+  const auto steps = [&](int side) { return static_cast<std::size_t>((side + step - 1) / step); };
+  return steps(rect.width()) * steps(rect.height());
+}
+
+// Loads whole rows, a band at a time, and keeps every step-th. out: countOf(rect, step) pixels.
+Status loadEvery(const Plane& plane, const Rect& rect, int step, std::span<float> out) {
+  if (step == 1) return plane.load(rect, out);
   std::vector<float> row(static_cast<std::size_t>(rect.width()));
-  out.clear();
+  std::size_t next = 0;
   for (int y = rect.y0; y < rect.y1; y += step) {
     CUTIS_CHECK(plane.load({rect.x0, y, rect.x1, y + 1}, row));
-    for (std::size_t x = 0; x < row.size(); x += static_cast<std::size_t>(step)) {
-      out.push_back(row[x]);
-    }
+    for (std::size_t x = 0; x < row.size(); x += static_cast<std::size_t>(step))
+      out[next++] = row[x];
   }
   return {};
 }
 
-bool hasEstimate(float state) {
-  const auto pixel = static_cast<PixelState>(static_cast<int>(state));
-  return pixel == PixelState::solved || pixel == PixelState::noConvergence;
-}
-
 }  // namespace
 
-ParameterBatch<float> ParameterBuffer::batch() const {
-  ParameterBatch<float> batch;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    batch.values[k] = values[k].data();
-  batch.count = count();
-  for (std::size_t k = 0; k < constants.size(); ++k) {
-    if (!constants[k].empty()) batch.constants[k] = constants[k].data();
-  }
-  return batch;
-}
-
 Result<ParameterBuffer> loadParameters(const ChromophoreMaps& maps, const Rect& rect, int step) {
+  const std::vector<Plane> planes = maps.planes();
   ParameterBuffer buffer;
-  for (std::size_t k = 0; k < buffer.values.size(); ++k) {
-    CUTIS_CHECK(loadEvery(maps.values[k], rect, step, buffer.values[k]));
+  buffer.values = PixelBuffer<float>(planes.size(), countOf(rect, step));
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    CUTIS_CHECK(loadEvery(planes[k], rect, step, buffer.values[k]));
   }
-  for (std::size_t k = 0; k < buffer.constants.size(); ++k) {
-    if (maps.constants[k].empty()) continue;
-    CUTIS_CHECK(loadEvery(maps.constants[k], rect, step, buffer.constants[k]));
-  }
-  std::vector<float> states;
+  std::vector<float> states(countOf(rect, step));
   CUTIS_CHECK(loadEvery(maps.state, rect, step, states));
   buffer.present.reserve(states.size());
   for (const float state : states)
-    buffer.present.push_back(hasEstimate(state));
+    buffer.present.push_back(hasEstimate(pixelState(state)));
   return buffer;
 }
 
 Status storeParameters(const ParameterBuffer& buffer, const Rect& rect, ChromophoreMaps& maps) {
-  for (std::size_t k = 0; k < buffer.values.size(); ++k) {
+  for (std::size_t k = 0; k < maps.values.size(); ++k) {
     CUTIS_CHECK(maps.values[k].store(rect, buffer.values[k]));
   }
   return {};

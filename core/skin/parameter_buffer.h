@@ -2,27 +2,25 @@
 
 // Parameters of a rectangle of pixels in memory: what edits change and kernels read.
 
-#include <array>
-#include <span>
+#include <cstddef>
 #include <vector>
 
+#include "core/base/pixel_rows.h"
 #include "core/base/rect.h"
 #include "core/base/result.h"
 #include "core/skin/chromophore_maps.h"
-#include "core/skin/model/reflectance_batch.h"
 
 namespace cutis {
 
 struct ParameterBuffer {
-  // Indexed by Parameter; all of one length, row by row.
-  std::array<std::vector<float>, kParameterCount> values;
-  // Indexed by SkinConstant; empty where the profile's holds. Edits leave them alone.
-  std::array<std::vector<float>, kConstantCount> constants;
+  // A row per parameter, then one per constant that is found for each pixel, in the order of
+  // SkinConstant; edits leave these alone. Pixels row by row of the picture.
+  PixelBuffer<float> values;
   // Whether the pixel has an estimate.
   std::vector<bool> present;
 
   std::size_t count() const { return present.size(); }
-  ParameterBatch<float> batch() const;
+  PixelRows<const float> batch() const { return values.rows(); }
 };
 
 // Every `step`-th pixel of every `step`-th row of rect, from its upper left corner: the width of

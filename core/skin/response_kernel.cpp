@@ -18,10 +18,12 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t i = 0; i < arguments.count; i += lanes) {
-    const std::size_t live = arguments.count - i < lanes ? arguments.count - i : lanes;
-    const auto load = [&](int k)
-                          HWY_ATTR { return LoadFirst(d, arguments.parameters[k] + i, live); };
+  const PixelRows<const float> parameters = arguments.parameters;
+  for (std::size_t i = 0; i < parameters.count; i += lanes) {
+    const std::size_t live = parameters.count - i < lanes ? parameters.count - i : lanes;
+    const auto load = [&](std::size_t k) HWY_ATTR {
+      return LoadFirst(d, parameters.data + k * parameters.stride + i, live);
+    };
     const AmountVectors<V> skin = AmountsOf(load);
     V sums[kRows];
     for (V& sum : sums)

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "core/base/pixel_rows.h"
 #include "core/skin/layers/node_constants.h"
 #include "core/skin/profile/parameter.h"
 
@@ -15,12 +16,11 @@ struct ResponseArguments {
   const NodeConstants<float>* nodes;
   std::size_t nodeCount;
   LayerConstants<float> layers;
-  const float* parameters[kParameterCount];
-  std::size_t count;
-  const float* weights;  // [node][weightStride], the first rowCount of each are used
+  PixelRows<const float> parameters;  // their `count` pixels
+  const float* weights;               // [node][weightStride], the first rowCount of each are used
   std::size_t weightStride;
   std::size_t rowCount;  // at most kMaximumResponseRows
-  float* const* out;     // [row][count]
+  float* const* out;     // [row][pixel]: the rows of a picture lie where they like
 };
 
 void runResponseKernel(const ResponseArguments& arguments);

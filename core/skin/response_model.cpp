@@ -1,7 +1,6 @@
 #include "core/skin/response_model.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <utility>
@@ -22,8 +21,8 @@ ResponseModel::ResponseModel(const SkinModel& model, const SpectrumRows& rows,
   }
 }
 
-ResponseModel::ResponseModel(std::shared_ptr<const FreeResponse> variable)
-    : nodes_(variable->nodes()), free_(variable->free()), variable_(std::move(variable)) {}
+ResponseModel::ResponseModel(std::shared_ptr<const FreeResponse> free)
+    : nodes_(free->nodes()), free_(free->free()), freeResponse_(std::move(free)) {}
 
 Result<std::shared_ptr<const ResponseModel>> ResponseModel::create(const SkinModel& model,
                                                                    const SpectrumRows& rows,
@@ -32,24 +31,20 @@ Result<std::shared_ptr<const ResponseModel>> ResponseModel::create(const SkinMod
                                                                    const NodeOptions& options) {
   CUTIS_CHECK(requireFive(model.profile(), "a picture"));
   if (free.count() == 0) return std::make_shared<const ResponseModel>(model, rows, options);
-  CUTIS_TRY(variable, FreeResponse::make(model, rows, free, options, context));
+  CUTIS_TRY(response, FreeResponse::make(model, rows, free, options, context));
   return std::make_shared<const ResponseModel>(
-      std::make_shared<const FreeResponse>(std::move(variable)));
+      std::make_shared<const FreeResponse>(std::move(response)));
 }
 
-void ResponseModel::evaluate(const ParameterBatch<float>& batch,
-                             std::span<float* const> out) const {
+void ResponseModel::evaluate(PixelRows<const float> values, std::span<float* const> out) const {
   assert(out.size() == static_cast<std::size_t>(rowCount()));
-  assert((batch.constants[kOxygenation] != nullptr) == free().oxygenation);
-  assert((batch.constants[kThickness] != nullptr) == free().thickness);
-  if (variable_) return variable_->evaluate(batch, out);
+  assert(values.rowCount == static_cast<std::size_t>(kParameterCount + free().count()));
+  if (freeResponse_) return freeResponse_->evaluate(values, out);
   ResponseArguments arguments = {};
   arguments.nodes = model_->nodes<float>().data();
   arguments.nodeCount = model_->nodes<float>().size();
   arguments.layers = model_->layers<float>();
-  for (std::size_t k = 0; k < batch.values.size(); ++k)
-    arguments.parameters[k] = batch.values[k];
-  arguments.count = batch.count;
+  arguments.parameters = values;
   arguments.weights = weights_.data();
   arguments.weightStride = out.size();
   // More rows than the kernel holds in registers are done in groups.

@@ -9,9 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/pixel_rows.h"
 #include "core/skin/model/compiled_model.h"
-#include "core/skin/model/reflectance_batch.h"
 #include "core/skin/model/skin_model.h"
+#include "core/skin/profile/free_constants.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
@@ -24,7 +25,7 @@ class ResponseModel {
   // Chooses the nodes (about 0.1 s).
   ResponseModel(const SkinModel& model, const SpectrumRows& rows, const NodeOptions& options = {});
   // A model of pixels with constants of their own.
-  explicit ResponseModel(std::shared_ptr<const FreeResponse> variable);
+  explicit ResponseModel(std::shared_ptr<const FreeResponse> free);
 
   // Either: with constants of each pixel's own where some are free. Errors and cost: those of
   // FreeResponse::make, none where nothing is free.
@@ -39,17 +40,17 @@ class ResponseModel {
   // What a pixel must bring along.
   const FreeConstants& free() const { return free_; }
 
-  // out[row][i] for each pixel of the batch. Within 2e-6 of SkinModel at the nodes, plus the nodes'
-  // own error; the properties of reflectanceBatch() hold. Precondition: the batch has the constants
-  // that are free, and no others.
-  void evaluate(const ParameterBatch<float>& batch, std::span<float* const> out) const;
+  // values: a row per parameter, then one per constant that is free, in the order of SkinConstant.
+  // out[row][i] for each pixel of them. Within 2e-6 of SkinModel at the nodes, plus the nodes' own
+  // error; the properties of reflectanceBatch() hold.
+  void evaluate(PixelRows<const float> values, std::span<float* const> out) const;
 
  private:
   SpectralNodes nodes_;
   FreeConstants free_;
-  std::shared_ptr<const FreeResponse> variable_;  // null: the profile's constants
-  std::optional<CompiledModel> model_;            // without `variable_`
-  std::vector<float> weights_;                    // by node, then row
+  std::shared_ptr<const FreeResponse> freeResponse_;  // null: the profile's constants
+  std::optional<CompiledModel> model_;                // without `freeResponse_`
+  std::vector<float> weights_;                        // by node, then row
 };
 
 }  // namespace cutis

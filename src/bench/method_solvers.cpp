@@ -29,34 +29,34 @@ class ExhaustiveSolver final : public PixelSolver {
         search_(std::move(search)),
         caroteneSample_(caroteneSample) {}
 
-  void solve(const PixelBatch& batch, const SolveReport& report) const override {
-    std::vector<double> channels(static_cast<std::size_t>(channelCount()));
+  void solve(PixelRows<const float> channels, PixelRows<float> values,
+             const SolveReport& report) const override {
+    std::vector<double> pixel(channels.rowCount);
     std::vector<SearchFeatures> queries;
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      for (std::size_t k = 0; k < channels.size(); ++k)
-        channels[k] = double{batch.channels[k * batch.stride + i]};
-      queries.push_back(search_->features(channels));
+    for (std::size_t i = 0; i < channels.count; ++i) {
+      for (std::size_t k = 0; k < pixel.size(); ++k)
+        pixel[k] = double{channels.at(k, i)};
+      queries.push_back(search_->features(pixel));
     }
-    std::vector<std::size_t> entries(batch.count);
+    std::vector<std::size_t> entries(channels.count);
     if (caroteneSample_) {
-      for (std::size_t i = 0; i < batch.count; ++i)
+      for (std::size_t i = 0; i < channels.count; ++i)
         entries[i] = search_->threeStage(queries[i], *caroteneSample_);
     } else {
       search_->fullSearch(queries, entries);
     }
-    for (std::size_t i = 0; i < batch.count; ++i) {
+    for (std::size_t i = 0; i < channels.count; ++i) {
       const ParameterVector found = search_->table().parameters(entries[i]);
-      for (std::size_t k = 0; k < kParameterCount; ++k) {
-        batch.parameters[k * batch.stride + i] =
-            static_cast<float>(found[static_cast<Eigen::Index>(k)]);
-      }
-      report.states[i] = static_cast<std::uint8_t>(PixelState::solved);
+      for (std::size_t k = 0; k < kParameterCount; ++k)
+        values.at(k, i) = static_cast<float>(found[static_cast<Eigen::Index>(k)]);
+      report.states[i] = PixelState::solved;
       report.iterations[i] = 0;
     }
   }
 
   bool hasDeviations() const override { return false; }
-  void deviations(const PixelBatch&, float*) const override {}
+  void deviations(PixelRows<const float>, PixelRows<const float>, PixelRows<float>) const override {
+  }
   const char* stage() const override { return "exhaustive search"; }
 
  private:
@@ -110,31 +110,35 @@ Result<SolvedPixels> solveAll(const PixelSolver& solver, std::span<const float> 
   SolvedPixels solved;
   solved.parameters.resize(kParameterCount * count);
   if (timing.deviations) solved.deviations.resize(kParameterCount * count);
-  std::vector<std::uint8_t> states(count);
+  const auto measured =
+      packedRows(channels.data(), static_cast<std::size_t>(solver.channelCount()), count);
+  const auto found = packedRows(solved.parameters.data(), kParameterCount, count);
+  std::vector<PixelState> states(count);
   std::vector<std::uint16_t> iterations(count);
   const auto inBatches = [&](const auto& work) {
     return parallelFor((count + kMethodBatch - 1) / kMethodBatch, {context.stop, {}, {}},
                        [&](std::size_t piece) -> Status {
                          const std::size_t first = piece * kMethodBatch;
-                         work(PixelBatch{std::min(kMethodBatch, count - first), count,
-                                         channels.data() + first, solved.parameters.data() + first},
-                              first);
+                         work(first, std::min(kMethodBatch, count - first));
                          return {};
                        });
   };
   double fastest = std::numeric_limits<double>::infinity();
   for (double passed = 0.0; passed == 0.0 || passed < timing.seconds;) {
     const auto start = Clock::now();
-    CUTIS_CHECK(inBatches([&](const PixelBatch& batch, std::size_t first) {
-      solver.solve(batch, {states.data() + first, iterations.data() + first});
+    CUTIS_CHECK(inBatches([&](std::size_t first, std::size_t size) {
+      solver.solve(measured.part(first, size), found.part(first, size),
+                   {states.data() + first, iterations.data() + first});
     }));
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     fastest = std::min(fastest, seconds);
     passed += std::max(seconds, 1e-9);
   }
   if (timing.deviations) {
-    CUTIS_CHECK(inBatches([&](const PixelBatch& batch, std::size_t first) {
-      solver.deviations(batch, solved.deviations.data() + first);
+    const auto deviations = packedRows(solved.deviations.data(), kParameterCount, count);
+    CUTIS_CHECK(inBatches([&](std::size_t first, std::size_t size) {
+      solver.deviations(measured.part(first, size), found.part(first, size),
+                        deviations.part(first, size));
     }));
   }
   const auto pixels = static_cast<double>(count);
@@ -142,8 +146,7 @@ Result<SolvedPixels> solveAll(const PixelSolver& solver, std::span<const float> 
   for (const std::uint16_t n : iterations)
     solved.meanIterations += n / pixels;
   solved.unconvergedShare =
-      static_cast<double>(std::count(states.begin(), states.end(),
-                                     static_cast<std::uint8_t>(PixelState::noConvergence))) /
+      static_cast<double>(std::count(states.begin(), states.end(), PixelState::noConvergence)) /
       pixels;
   return solved;
 }

@@ -55,36 +55,21 @@ std::vector<float> inputsOf(const NetworkChannels& channels, const std::vector<f
   return {inputs.data(), inputs.data() + inputs.size()};
 }
 
-std::vector<const float*> planesOf(const float* rows, std::size_t count, std::size_t stride) {
-  std::vector<const float*> planes;
-  for (std::size_t k = 0; k < count; ++k)
-    planes.push_back(rows + k * stride);
-  return planes;
-}
-
-std::vector<float*> planesOf(float* rows, std::size_t count, std::size_t stride) {
-  std::vector<float*> planes;
-  for (std::size_t k = 0; k < count; ++k)
-    planes.push_back(rows + k * stride);
-  return planes;
-}
-
 // All pixels through a pipeline, on all cores. inputs, parameters, outputs: [plane][count]; the
 // last two may be null.
 Status runPipeline(const NetworkPipeline& pipeline, std::size_t count, const float* inputs,
                    float* parameters, float* outputs, const JobContext& context) {
-  return parallelFor(
-      (count + kNetworkBatch - 1) / kNetworkBatch, context, [&](std::size_t piece) -> Status {
-        const std::size_t first = piece * kNetworkBatch;
-        const auto in =
-            planesOf(inputs + first, static_cast<std::size_t>(pipeline.inputCount()), count);
-        std::vector<float*> middle, out;
-        if (parameters != nullptr) middle = planesOf(parameters + first, kParameterCount, count);
-        if (outputs != nullptr)
-          out = planesOf(outputs + first, static_cast<std::size_t>(pipeline.outputCount()), count);
-        pipeline.run(std::min(kNetworkBatch, count - first), in, middle, out);
-        return {};
-      });
+  const auto in = packedRows(inputs, static_cast<std::size_t>(pipeline.inputCount()), count);
+  const auto middle = packedRows(parameters, kParameterCount, count);
+  const auto out = packedRows(outputs, static_cast<std::size_t>(pipeline.outputCount()), count);
+  const std::size_t pieces = (count + kNetworkBatch - 1) / kNetworkBatch;
+  return parallelFor(pieces, context, [&](std::size_t piece) -> Status {
+    const std::size_t first = piece * kNetworkBatch, size = std::min(kNetworkBatch, count - first);
+    pipeline.run(in.part(first, size),
+                 parameters != nullptr ? middle.part(first, size) : PixelRows<float>{},
+                 outputs != nullptr ? out.part(first, size) : PixelRows<float>{});
+    return {};
+  });
 }
 
 // Rows that pick every sample of the grid.

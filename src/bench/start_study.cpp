@@ -46,13 +46,11 @@ class StartedBy {
     other_.problem().tolerance = own_.problem().tolerance;
   }
 
-  // batch.parameters: coordinates, out.
-  void solve(const PixelBatch& batch, std::uint8_t* converged, std::uint16_t* rounds) const {
-    const RefinedBatch<float> refined = {batch.count,      batch.stride, batch.channels,
-                                         batch.parameters, converged,    rounds};
-    if (start_ == Start::polynomial) return own_.solve(refined);
-    begin(batch, converged, rounds);
-    runRefinedKernel(other_.problem(), refined);
+  // Coordinates come out.
+  void solve(const RefinedPixels<float>& pixels) const {
+    if (start_ == Start::polynomial) return own_.solve(pixels);
+    begin(pixels);
+    runRefinedKernel(other_.problem(), pixels);
   }
 
   double parameter(int k, float coordinate) const {
@@ -61,11 +59,13 @@ class StartedBy {
   }
 
  private:
-  void begin(const PixelBatch& batch, std::uint8_t* states, std::uint16_t* iterations) const {
-    if (start_ == Start::network) network_->solve(batch, {states, iterations});
+  void begin(const RefinedPixels<float>& pixels) const {
+    std::vector<PixelState> states(pixels.channels.count);
+    if (start_ == Start::network)
+      network_->solve(pixels.channels, pixels.coordinates, {states.data(), pixels.rounds});
     for (int k = 0; k < kParameterCount; ++k) {
-      float* row = batch.parameters + static_cast<std::size_t>(k) * batch.stride;
-      for (std::size_t i = 0; i < batch.count; ++i) {
+      float* row = pixels.coordinates.row(static_cast<std::size_t>(k));
+      for (std::size_t i = 0; i < pixels.channels.count; ++i) {
         const double value =
             start_ == Start::network ? prior_.coordinate(k, double{row[i]}) : prior_.mean[k];
         row[i] = static_cast<float>(value);
@@ -86,6 +86,8 @@ Result<StartFigures> measure(const BenchSubject& subject, const ProtocolPixels& 
   const std::size_t count = pixels.count();
   const auto channels = pixels.photograph(kUsualNoise, kStartNoiseSeed);
   std::vector<float> values(kParameterCount * count);
+  const auto measured = packedRows(channels.data(), pixels.channelCount(), count);
+  const auto coordinates = packedRows(values.data(), kParameterCount, count);
   std::vector<std::uint8_t> converged(count);
   std::vector<std::uint16_t> rounds(count);
   double fastest = std::numeric_limits<double>::infinity();
@@ -95,9 +97,9 @@ Result<StartFigures> measure(const BenchSubject& subject, const ProtocolPixels& 
     CUTIS_CHECK(parallelFor((count + kStartBatch - 1) / kStartBatch, context,
                             [&](std::size_t piece) -> Status {
                               const std::size_t first = piece * kStartBatch;
-                              fit.solve({std::min(kStartBatch, count - first), count,
-                                         channels.data() + first, values.data() + first},
-                                        converged.data() + first, rounds.data() + first);
+                              const std::size_t size = std::min(kStartBatch, count - first);
+                              fit.solve({measured.part(first, size), coordinates.part(first, size),
+                                         converged.data() + first, rounds.data() + first});
                               return {};
                             }));
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();

@@ -16,22 +16,13 @@ constexpr std::size_t kPixels = 4096;
 const std::vector<int> kNodes = {52, 62, 72, 82, 92, 104, 116, 128, 138, 148, 160, 180};
 
 struct Fixture {
-  Fixture() : model(test::li2024(), kNodes) {
-    const auto points = sampleBox(test::li2024().profile().axes, kPixels);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      for (const ParameterVector& p : points) {
-        columns[k].push_back(static_cast<float>(p[static_cast<Eigen::Index>(k)]));
-      }
-      batch.values[k] = columns[k].data();
-    }
-    batch.count = kPixels;
-  }
+  Fixture()
+      : model(test::li2024(), kNodes),
+        parameters(parameterRows<float>(
+            sampleBox(test::li2024().profile().axes, static_cast<int>(kPixels)))) {}
   CompiledModel model;
-  std::array<std::vector<float>, kParameterCount> columns;
-  ParameterBatch<float> batch;
-  std::vector<float> value = std::vector<float>(kPixels * kNodes.size());
-  std::vector<float> epidermal = value;
-  std::vector<float> dermal = value;
+  PixelBuffer<float> parameters;
+  PixelBuffer<float> value{kNodes.size(), kPixels}, epidermal = value, dermal = value;
 };
 
 void perPixel(benchmark::State& state) {
@@ -43,7 +34,7 @@ void perPixel(benchmark::State& state) {
 void reflectance(benchmark::State& state) {
   Fixture f;
   for (auto _ : state) {
-    reflectanceBatch<float>(f.model, f.batch, f.value.data());
+    reflectanceBatch<float>(f.model, f.parameters.rows(), f.value.rows());
     benchmark::ClobberMemory();
   }
   perPixel(state);
@@ -53,7 +44,8 @@ BENCHMARK(reflectance);
 void reflectanceAndDerivatives(benchmark::State& state) {
   Fixture f;
   for (auto _ : state) {
-    reflectanceBatch<float>(f.model, f.batch, f.value.data(), f.epidermal.data(), f.dermal.data());
+    reflectanceBatch<float>(f.model, f.parameters.rows(), f.value.rows(), f.epidermal.rows(),
+                            f.dermal.rows());
     benchmark::ClobberMemory();
   }
   perPixel(state);

@@ -30,21 +30,21 @@ FreeEstimator<N>::FreeEstimator(FreeProblem problem)
   const auto unit = range_.template head<kParameterCount>().asDiagonal();
   precision_.template topLeftCorner<kParameterCount, kParameterCount>() =
       unit * prior.precision * unit;
-  const FreeCoordinates& places = problem_.channels->skin().places();
-  places.placesOf(problem_.constants.mean, mean_.data() + kParameterCount);
+  const FreeCoordinates& coordinates = problem_.channels->skin().coordinates();
+  coordinates.coordinatesOf(problem_.constants.mean, mean_.data() + kParameterCount);
   for (const SkinConstant constant : kSkinConstants) {
-    if (!places.free().has(constant)) continue;
-    const int at = kParameterCount + places.indexOf(constant);
+    if (!coordinates.free().has(constant)) continue;
+    const int at = kParameterCount + coordinates.indexOf(constant);
     const double deviation =
         problem_.constants.deviation(constant, problem_.constants.mean[constant]) /
-        places.slope(constant, problem_.constants.mean);
+        coordinates.slope(constant, problem_.constants.mean);
     precision_(at, at) = 1.0 / (deviation * deviation);
   }
 }
 
 template <int N>
 SkinConstants FreeEstimator<N>::constantsAt(const Point& point) const {
-  return problem_.channels->skin().places().at(point.data() + kParameterCount);
+  return problem_.channels->skin().coordinates().constantsAt(point.data() + kParameterCount);
 }
 
 template <int N>
@@ -54,14 +54,14 @@ auto FreeEstimator<N>::pointOf(const double* values) const -> Point {
     point[k] = (problem_.parameters.coordinate(k, values[k]) - low_[k]) / range_[k];
     if (problem_.parameters.isFixed[static_cast<std::size_t>(k)]) point[k] = mean_[k];
   }
-  const FreeCoordinates& places = problem_.channels->skin().places();
-  SkinConstants constants = places.own();
+  const FreeCoordinates& coordinates = problem_.channels->skin().coordinates();
+  SkinConstants constants = coordinates.own();
   for (const SkinConstant constant : kSkinConstants) {
-    if (places.free().has(constant)) {
-      constants[constant] = values[kParameterCount + places.indexOf(constant)];
+    if (coordinates.free().has(constant)) {
+      constants[constant] = values[kParameterCount + coordinates.indexOf(constant)];
     }
   }
-  places.placesOf(constants, point.data() + kParameterCount);
+  coordinates.coordinatesOf(constants, point.data() + kParameterCount);
   return point.cwiseMax(0.0).cwiseMin(1.0);
 }
 
@@ -72,11 +72,11 @@ void FreeEstimator<N>::valuesOf(const Point& point, double* values) const {
     values[k] =
         problem_.parameters.isLog[static_cast<std::size_t>(k)] ? std::exp(coordinate) : coordinate;
   }
-  const FreeCoordinates& places = problem_.channels->skin().places();
+  const FreeCoordinates& coordinates = problem_.channels->skin().coordinates();
   const SkinConstants constants = constantsAt(point);
   for (const SkinConstant constant : kSkinConstants) {
-    if (places.free().has(constant)) {
-      values[kParameterCount + places.indexOf(constant)] = constants[constant];
+    if (coordinates.free().has(constant)) {
+      values[kParameterCount + coordinates.indexOf(constant)] = constants[constant];
     }
   }
 }
@@ -85,7 +85,7 @@ template <int N>
 std::vector<double> FreeEstimator<N>::nodeValues(std::span<const Point> points) const {
   const std::size_t count = points.size();
   const FreeSkin& skin = problem_.channels->skin();
-  const FreeCoordinates& places = skin.places();
+  const FreeCoordinates& coordinates = skin.coordinates();
   std::vector<ParameterVector> parameters(count);
   std::vector<SkinConstants> constants(count);
   std::vector<Point> units(count);  // of a value by its coordinate
@@ -101,8 +101,9 @@ std::vector<double> FreeEstimator<N>::nodeValues(std::span<const Point> points) 
                                                        : range_[k];
     }
     for (const SkinConstant constant : kSkinConstants) {
-      if (!places.free().has(constant)) continue;
-      units[i][kParameterCount + places.indexOf(constant)] = places.slope(constant, constants[i]);
+      if (!coordinates.free().has(constant)) continue;
+      units[i][kParameterCount + coordinates.indexOf(constant)] =
+          coordinates.slope(constant, constants[i]);
     }
   }
   const FreeSpectra spectra = skin.evaluate(parameters, constants, true);
@@ -119,8 +120,8 @@ std::vector<double> FreeEstimator<N>::nodeValues(std::span<const Point> points) 
       skin.byParameters(spectra, s, i, count, parameters[i], slopes);
       for (int k = 0; k < kParameterCount; ++k)
         put(k, slopes[k]);
-      if (places.free().oxygenation) put(kParameterCount, spectra.perOxygenation[at]);
-      if (places.free().thickness) put(N - 1, spectra.perThickness[at]);
+      if (coordinates.free().oxygenation) put(kParameterCount, spectra.perOxygenation[at]);
+      if (coordinates.free().thickness) put(N - 1, spectra.perThickness[at]);
     }
   }
   return nodes;
@@ -137,7 +138,7 @@ void FreeEstimator<N>::addPrior(const Point& point, EquationsOf<N>& equations) c
 
 template <int N>
 auto FreeEstimator<N>::linearise(std::span<const Point> points, std::span<const std::size_t> pixels,
-                                 const PixelBatch& batch) const -> std::vector<Linearised> {
+                                 PixelRows<const float> channels) const -> std::vector<Linearised> {
   const std::size_t count = points.size();
   const std::vector<double> nodes = nodeValues(points);
   const std::size_t width = (N + 1) * count;
@@ -148,7 +149,7 @@ auto FreeEstimator<N>::linearise(std::span<const Point> points, std::span<const 
   EquationSums<N> sums(count);
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     const double* row = modelled.data() + c * width;
-    const float* measured = batch.channels + channels_[c] * batch.stride;
+    const float* measured = channels.row(channels_[c]);
     for (std::size_t i = 0; i < count; ++i) {
       const double value = double{measured[pixels[i]]};
       const double root = 1.0 / std::sqrt(problem_.noise.variance(value));
@@ -174,7 +175,7 @@ void FreeEstimator<N>::deviationsAt(const Point& point, const EquationsOf<N>& eq
   const Matrix covariance = equations.hessian.ldlt().solve(Matrix::Identity());
   double values[N];
   valuesOf(point, values);
-  const FreeCoordinates& places = problem_.channels->skin().places();
+  const FreeCoordinates& coordinates = problem_.channels->skin().coordinates();
   const SkinConstants constants = constantsAt(point);
   for (int k = 0; k < kParameterCount; ++k) {
     const auto index = static_cast<std::size_t>(k);
@@ -184,9 +185,10 @@ void FreeEstimator<N>::deviationsAt(const Point& point, const EquationsOf<N>& eq
                         : unit * std::sqrt(std::max(0.0, covariance(k, k)));
   }
   for (const SkinConstant constant : kSkinConstants) {
-    if (!places.free().has(constant)) continue;
-    const int k = kParameterCount + places.indexOf(constant);
-    deviations[k] = places.slope(constant, constants) * std::sqrt(std::max(0.0, covariance(k, k)));
+    if (!coordinates.free().has(constant)) continue;
+    const int k = kParameterCount + coordinates.indexOf(constant);
+    deviations[k] =
+        coordinates.slope(constant, constants) * std::sqrt(std::max(0.0, covariance(k, k)));
   }
 }
 

@@ -6,7 +6,8 @@
 // The objective is that of core/fit/reference/map_estimator.h with the prior of
 // core/fit/free/free_prior.h added; steps are damped Gauss–Newton with bounds. A point is a pixel's
 // coordinates, each measured along its range from 0 to 1: parameters or their logarithms
-// (core/fit/coordinate_prior.h), then the places of the free constants.
+// (core/fit/coordinate_prior.h), then those of the free constants
+// (core/skin/free/free_coordinates.h).
 
 #include <memory>
 #include <span>
@@ -14,9 +15,9 @@
 
 #include <Eigen/Core>
 
+#include "core/base/pixel_rows.h"
 #include "core/fit/coordinate_prior.h"
 #include "core/fit/free/free_prior.h"
-#include "core/fit/pixel_solver.h"
 #include "core/maths/equation_sums.h"
 #include "core/rig/rig.h"
 #include "core/skin/free/free_response.h"
@@ -49,10 +50,10 @@ class FreeEstimator {
     EquationsOf<N> equations;
     double channelCost = 0.0;
   };
-  // pixels[i]: where point i is measured in the batch.
+  // pixels[i]: where point i is measured among the channels.
   std::vector<Linearised> linearise(std::span<const Point> points,
                                     std::span<const std::size_t> pixels,
-                                    const PixelBatch& batch) const;
+                                    PixelRows<const float> channels) const;
 
   // Posterior standard deviations at a point, in the values' units; 0 for what is held.
   void deviationsAt(const Point& point, const EquationsOf<N>& equations, double* deviations) const;

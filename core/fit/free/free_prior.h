@@ -25,7 +25,7 @@ struct FreePrior {
   }
 };
 
-inline FreePrior usualConstantsPrior(const Profile& profile) {
+inline FreePrior usualFreePrior(const Profile& profile) {
   return {.mean = constantsOf(profile)};
 }
 

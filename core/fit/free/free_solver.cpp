@@ -11,7 +11,6 @@
 #include "core/fit/assumed_noise.h"
 #include "core/fit/free/free_search.h"
 #include "core/fit/refined/refined_solver.h"
-#include "core/skin/pixel_state.h"
 
 namespace cutis {
 namespace {
@@ -51,40 +50,42 @@ class FreeSolver final : public PixelSolver {
         estimator_({channels,
                     coordinatePrior(options.prior.value_or(model->profile().prior),
                                     model->profile().axes, options.fixed),
-                    usualConstantsPrior(model->profile()), assumedNoise(rig, options)}),
+                    usualFreePrior(model->profile()), assumedNoise(rig, options)}),
         exact_(asksForExact(rig, options)) {}
 
-  void solve(const PixelBatch& batch, const SolveReport& report) const override {
-    std::vector<float> found(kParameterCount * batch.count);
-    start_->solve({batch.count, batch.count, packed(batch).data(), found.data()},
-                  {report.states, report.iterations});
-    for (std::size_t begin = 0; begin < batch.count; begin += kBatch) {
-      const std::size_t end = std::min(begin + kBatch, batch.count);
+  void solve(PixelRows<const float> channels, PixelRows<float> values,
+             const SolveReport& report) const override {
+    // What the ordinary fit finds.
+    PixelBuffer<float> ordinary(kParameterCount, channels.count);
+    start_->solve(channels, ordinary.rows(), report);
+    for (std::size_t begin = 0; begin < channels.count; begin += kBatch) {
+      const std::size_t end = std::min(begin + kBatch, channels.count);
       std::vector<FreeSearch<N>> searches;
       for (std::size_t i = begin; i < end; ++i)
-        searches.emplace_back(i, 0.5 * (estimator_.mean() + ordinaryAt(found, batch.count, i)));
-      run(batch, searches);
-      searchAgain(batch, found, searches);
+        searches.push_back(searchFrom(i, 0.5 * (estimator_.mean() + ordinaryAt(ordinary, i))));
+      run(channels, searches);
+      searchAgain(channels, ordinary, searches);
       for (const FreeSearch<N>& search : searches)
-        write(search, batch, report);
+        write(search, values, report);
     }
   }
 
   bool hasDeviations() const override { return true; }
 
-  void deviations(const PixelBatch& batch, float* deviations) const override {
-    for (std::size_t begin = 0; begin < batch.count; begin += kBatch) {
-      std::vector<std::size_t> pixels(std::min(kBatch, batch.count - begin));
+  void deviations(PixelRows<const float> channels, PixelRows<const float> values,
+                  PixelRows<float> deviations) const override {
+    for (std::size_t begin = 0; begin < channels.count; begin += kBatch) {
+      std::vector<std::size_t> pixels(std::min(kBatch, channels.count - begin));
       std::iota(pixels.begin(), pixels.end(), begin);
       std::vector<Point> points;
       for (const std::size_t i : pixels)
-        points.push_back(pointAt(batch, i));
-      const auto linearised = estimator_.linearise(points, pixels, batch);
+        points.push_back(pointAt(values, i));
+      const auto linearised = estimator_.linearise(points, pixels, channels);
       for (std::size_t p = 0; p < pixels.size(); ++p) {
-        double values[N];
-        estimator_.deviationsAt(points[p], linearised[p].equations, values);
+        double own[N];
+        estimator_.deviationsAt(points[p], linearised[p].equations, own);
         for (std::size_t k = 0; k < N; ++k)
-          deviations[k * batch.stride + pixels[p]] = static_cast<float>(values[k]);
+          deviations.at(k, pixels[p]) = static_cast<float>(own[k]);
       }
     }
   }
@@ -92,49 +93,55 @@ class FreeSolver final : public PixelSolver {
   const char* stage() const override { return "refined fit with free constants"; }
 
  private:
-  // Channels side by side, as wide as the results.
-  std::vector<float> packed(const PixelBatch& batch) const {
-    std::vector<float> channels;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(channelCount()); ++k) {
-      const float* row = batch.channels + k * batch.stride;
-      channels.insert(channels.end(), row, row + batch.count);
-    }
-    return channels;
+  FreeSearch<N> searchFrom(std::size_t pixel, const Point& start) const {
+    return {pixel, start, exact_ ? kExactMaximumRounds : kFastMaximumRounds};
   }
 
-  // What the ordinary fit found, [parameter][count], with the prior's constants.
-  Point ordinaryAt(const std::vector<float>& found, std::size_t count, std::size_t pixel) const {
+  // What the ordinary fit found, with the prior's constants.
+  Point ordinaryAt(const PixelBuffer<float>& ordinary, std::size_t pixel) const {
     double values[N];
     estimator_.valuesOf(estimator_.mean(), values);
     for (std::size_t k = 0; k < kParameterCount; ++k)
-      values[k] = double{found[k * count + pixel]};
+      values[k] = double{ordinary[k][pixel]};
     return estimator_.pointOf(values);
   }
 
-  Point pointAt(const PixelBatch& batch, std::size_t pixel) const {
-    double values[N];
+  Point pointAt(PixelRows<const float> values, std::size_t pixel) const {
+    double own[N];
     for (std::size_t k = 0; k < N; ++k)
-      values[k] = double{batch.parameters[k * batch.stride + pixel]};
-    return estimator_.pointOf(values);
+      own[k] = double{values.at(k, pixel)};
+    return estimator_.pointOf(own);
   }
 
-  void run(const PixelBatch& batch, std::vector<FreeSearch<N>>& searches) const {
-    runSearches(estimator_, batch, exact_ ? kExactTolerance : kFastTolerance,
-                exact_ ? kExactMaximumRounds : kFastMaximumRounds, searches);
+  void run(PixelRows<const float> channels, std::vector<FreeSearch<N>>& searches) const {
+    const auto evaluate = [&](const std::vector<FreeSearch<N>*>& active) {
+      std::vector<Point> points;
+      std::vector<std::size_t> pixels;
+      for (const FreeSearch<N>* search : active) {
+        points.push_back(search->trial());
+        pixels.push_back(search->pixel());
+      }
+      return estimator_.linearise(points, pixels, channels);
+    };
+    const double tolerance = exact_ ? kExactTolerance : kFastTolerance;
+    runSearches(
+        searches, evaluate,
+        [&](FreeSearch<N>& search, const auto& came) { return search.advance(came, tolerance); },
+        [] { return false; });
   }
 
   // Searches from elsewhere where the end is no good one, and keeps the better end.
-  void searchAgain(const PixelBatch& batch, const std::vector<float>& found,
+  void searchAgain(PixelRows<const float> channels, const PixelBuffer<float>& ordinary,
                    std::vector<FreeSearch<N>>& searches) const {
     const double most = estimator_.mostChannelCost() * (exact_ ? kExactMisfit : 1.0);
     for (const bool atMean : {false, true}) {
       std::vector<FreeSearch<N>> again;
       for (const FreeSearch<N>& search : searches) {
         if (search.channelCost() <= most) continue;
-        again.emplace_back(search.pixel(), atMean ? estimator_.mean()
-                                                  : ordinaryAt(found, batch.count, search.pixel()));
+        again.push_back(searchFrom(
+            search.pixel(), atMean ? estimator_.mean() : ordinaryAt(ordinary, search.pixel())));
       }
-      run(batch, again);
+      run(channels, again);
       auto next = again.begin();
       for (FreeSearch<N>& search : searches) {
         if (next == again.end() || next->pixel() != search.pixel()) continue;
@@ -144,15 +151,14 @@ class FreeSolver final : public PixelSolver {
     }
   }
 
-  void write(const FreeSearch<N>& search, const PixelBatch& batch,
+  void write(const FreeSearch<N>& search, PixelRows<float> values,
              const SolveReport& report) const {
-    double values[N];
-    estimator_.valuesOf(search.point(), values);
+    double own[N];
+    estimator_.valuesOf(search.point(), own);
     const std::size_t i = search.pixel();
     for (std::size_t k = 0; k < N; ++k)
-      batch.parameters[k * batch.stride + i] = static_cast<float>(values[k]);
-    report.states[i] = static_cast<std::uint8_t>(search.converged() ? PixelState::solved
-                                                                    : PixelState::noConvergence);
+      values.at(k, i) = static_cast<float>(own[k]);
+    report.states[i] = search.converged() ? PixelState::solved : PixelState::noConvergence;
     report.iterations[i] = static_cast<std::uint16_t>(search.rounds());
   }
 

@@ -58,7 +58,7 @@ ParameterVector MapEstimator::stepWithinBox(const ParameterMatrix& hessian,
 MapEstimator::MapEstimator(const SkinModel& model, SpectralNodes nodes,
                            const EstimatorOptions& options)
     : model_(model),
-      measured_(model, options.geometry),
+      instrument_(model, options.geometry),
       nodes_(std::move(nodes)),
       options_(options) {
   options_.noise.read = std::max(options_.noise.read, kExactNoise);
@@ -100,7 +100,7 @@ MapEstimator::Linearisation MapEstimator::linearise(const ParameterVector& coord
   for (Index n = 0; n < count; ++n) {
     ParameterVector row;
     reflectance[n] =
-        measured_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters, row);
+        instrument_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters, row);
     for (int i = 0; i < kParameterCount; ++i) {
       slopes(n, i) = isLog(i) ? row[i] * parameters[i] : row[i];
     }
@@ -114,7 +114,7 @@ double MapEstimator::cost(const VectorXd& channels, const VectorXd& precision,
   VectorXd reflectance(static_cast<Index>(nodes_.samples.size()));
   for (Index n = 0; n < reflectance.size(); ++n) {
     reflectance[n] =
-        measured_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters);
+        instrument_.reflectanceAt(nodes_.samples[static_cast<std::size_t>(n)], parameters);
   }
   const VectorXd residual = channels - nodes_.weights * reflectance;
   double sum = (precision.array() * residual.array().square()).sum();

@@ -74,7 +74,7 @@ class MapEstimator {
                                 std::array<bool, kParameterCount> held) const;
 
   const SkinModel& model_;
-  InstrumentModel measured_;
+  InstrumentModel instrument_;
   SpectralNodes nodes_;
   EstimatorOptions options_;
   std::vector<bool> alive_;                                   // per row

@@ -1,6 +1,8 @@
 #include "core/fit/refined/exact_pass.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace cutis {
@@ -16,12 +18,10 @@ constexpr double kNoiseFreeResidual = 1e-5;
 }  // namespace
 
 // Coordinates of a number of pixels, [coordinate][pixel], and what was minimised at them.
-struct ExactPass::Pixels {
-  explicit Pixels(std::size_t pixelCount)
-      : count(pixelCount), coordinates(kParameterCount * pixelCount), costs(pixelCount) {}
+struct ExactPass::Ends {
+  explicit Ends(std::size_t count) : coordinates(kParameterCount, count), costs(count) {}
 
-  std::size_t count;
-  std::vector<double> coordinates;
+  PixelBuffer<double> coordinates;
   std::vector<double> costs;
 };
 
@@ -33,62 +33,54 @@ ExactPass::ExactPass(const SkinModel& model, const SpectralNodes& nodes, const P
   exact_.problem().maximumRounds = kExactPassRounds;
 }
 
-void ExactPass::finish(const PixelBatch& batch, std::uint16_t* rounds,
-                       std::uint8_t* converged) const {
-  Pixels pixels(batch.count);
+void ExactPass::finish(PixelRows<const float> channels, PixelRows<float> coordinates,
+                       std::uint16_t* rounds, std::uint8_t* converged) const {
+  Ends ends(channels.count);
   for (std::size_t k = 0; k < kParameterCount; ++k) {
-    std::copy_n(batch.parameters + k * batch.stride, batch.count,
-                pixels.coordinates.data() + k * batch.count);
+    std::copy_n(coordinates.row(k), channels.count, ends.coordinates[k].begin());
   }
-  // The kernel has one stride for channels and coordinates.
-  std::vector<float> channels(exact_.problem().channelCount * batch.count);
-  for (std::size_t k = 0; k < exact_.problem().channelCount; ++k) {
-    std::copy_n(batch.channels + k * batch.stride, batch.count, channels.data() + k * batch.count);
-  }
-  const PixelBatch packed = {batch.count, batch.count, channels.data(), nullptr};
   runRefinedKernel(exact_.problem(),
-                   {packed.count, packed.stride, packed.channels, pixels.coordinates.data(),
-                    converged, rounds, pixels.costs.data()});
-  retry(packed, pixels, rounds, converged);
+                   {channels, ends.coordinates.rows(), converged, rounds, ends.costs.data()});
+  retry(channels, ends, rounds, converged);
   for (std::size_t k = 0; k < kParameterCount; ++k) {
-    std::transform(pixels.coordinates.begin() + static_cast<std::ptrdiff_t>(k * batch.count),
-                   pixels.coordinates.begin() + static_cast<std::ptrdiff_t>((k + 1) * batch.count),
-                   batch.parameters + k * batch.stride,
+    const std::span<const double> row = ends.coordinates[k];
+    std::transform(row.begin(), row.end(), coordinates.row(k),
                    [](double coordinate) { return static_cast<float>(coordinate); });
   }
 }
 
-void ExactPass::retry(const PixelBatch& batch, Pixels& pixels, std::uint16_t* rounds,
+void ExactPass::retry(PixelRows<const float> channels, Ends& ends, std::uint16_t* rounds,
                       std::uint8_t* converged) const {
   const std::size_t channelCount = exact_.problem().channelCount;
   const double noiseFree = kNoiseFreeResidual * kNoiseFreeResidual *
                            static_cast<double>(channelCount) / exact_.problem().readVariance;
   std::vector<std::size_t> astray;
-  for (std::size_t i = 0; i < batch.count; ++i) {
-    if (pixels.costs[i] > noiseFree) astray.push_back(i);
+  for (std::size_t i = 0; i < channels.count; ++i) {
+    if (ends.costs[i] > noiseFree) astray.push_back(i);
   }
   if (astray.empty()) return;
-  Pixels again(astray.size());
-  std::vector<float> channels(channelCount * again.count), start(kParameterCount * again.count);
+  const std::size_t count = astray.size();
+  Ends again(count);
+  PixelBuffer<float> measured(channelCount, count), start(kParameterCount, count);
   for (std::size_t k = 0; k < channelCount; ++k) {
-    for (std::size_t n = 0; n < again.count; ++n)
-      channels[k * again.count + n] = batch.channels[k * batch.stride + astray[n]];
+    for (std::size_t n = 0; n < count; ++n)
+      measured[k][n] = channels.at(k, astray[n]);
   }
-  std::vector<std::uint8_t> convergedAgain(again.count);
-  std::vector<std::uint16_t> roundsAgain(again.count);
-  cautious_.solve({again.count, again.count, channels.data(), start.data(), convergedAgain.data(),
-                   roundsAgain.data()});
-  std::copy(start.begin(), start.end(), again.coordinates.begin());
+  std::vector<std::uint8_t> convergedAgain(count);
+  std::vector<std::uint16_t> roundsAgain(count);
+  cautious_.solve({measured.rows(), start.rows(), convergedAgain.data(), roundsAgain.data()});
+  for (std::size_t k = 0; k < kParameterCount; ++k)
+    std::copy_n(start[k].begin(), count, again.coordinates[k].begin());
   runRefinedKernel(exact_.problem(),
-                   {again.count, again.count, channels.data(), again.coordinates.data(),
-                    convergedAgain.data(), roundsAgain.data(), again.costs.data()});
-  for (std::size_t n = 0; n < again.count; ++n) {
+                   {measured.rows(), again.coordinates.rows(), convergedAgain.data(),
+                    roundsAgain.data(), again.costs.data()});
+  for (std::size_t n = 0; n < count; ++n) {
     const std::size_t i = astray[n];
     rounds[i] = static_cast<std::uint16_t>(rounds[i] + roundsAgain[n]);
-    if (!(again.costs[n] < pixels.costs[i])) continue;
+    if (!(again.costs[n] < ends.costs[i])) continue;
     converged[i] = convergedAgain[n];
     for (std::size_t k = 0; k < kParameterCount; ++k)
-      pixels.coordinates[k * batch.count + i] = again.coordinates[k * again.count + n];
+      ends.coordinates[k][i] = again.coordinates[k][n];
   }
 }
 

@@ -10,7 +10,7 @@
 
 #include <cstdint>
 
-#include "core/fit/pixel_solver.h"
+#include "core/base/pixel_rows.h"
 #include "core/fit/refined/fast_pass.h"
 
 namespace cutis {
@@ -21,12 +21,13 @@ class ExactPass {
   ExactPass(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
             const NoiseModel& noise, const FitOptions& options);
 
-  // batch.parameters: coordinates, in and out. Adds to rounds.
-  void finish(const PixelBatch& batch, std::uint16_t* rounds, std::uint8_t* converged) const;
+  // Coordinates in and out. Adds to rounds.
+  void finish(PixelRows<const float> channels, PixelRows<float> coordinates, std::uint16_t* rounds,
+              std::uint8_t* converged) const;
 
  private:
-  struct Pixels;
-  void retry(const PixelBatch& batch, Pixels& pixels, std::uint16_t* rounds,
+  struct Ends;
+  void retry(PixelRows<const float> channels, Ends& ends, std::uint16_t* rounds,
              std::uint8_t* converged) const;
 
   RefinedProblemData<double> exact_;

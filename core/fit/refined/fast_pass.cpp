@@ -15,12 +15,12 @@ FastPass::FastPass(const SkinModel& model, const SpectralNodes& nodes, const Pri
                    const NoiseModel& noise, const FitOptions& options)
     : data_(model, nodes, prior, noise, options) {
   data_.problem().tolerance = static_cast<float>(kFastPassTolerance);
-  const auto solveFrom = [this](const StartPolynomial& start, std::size_t count,
-                                const float* channels, float* coordinates) {
-    std::vector<std::uint8_t> converged(count);
-    std::vector<std::uint16_t> rounds(count);
+  const auto solveFrom = [this](const StartPolynomial& start, PixelRows<const float> channels,
+                                PixelRows<float> coordinates) {
+    std::vector<std::uint8_t> converged(channels.count);
+    std::vector<std::uint16_t> rounds(channels.count);
     data_.problem().start = &start;
-    solve({count, count, channels, coordinates, converged.data(), rounds.data()});
+    solve({channels, coordinates, converged.data(), rounds.data()});
   };
   start_ = trainStartPolynomial(
       {model, nodes, prior, noise, options.fixed, options.shading.value_or(0.0)}, solveFrom);

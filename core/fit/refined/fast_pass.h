@@ -1,8 +1,7 @@
 #pragma once
 
 // The refined fit in single precision, each pixel from a start of its own
-// (core/fit/refined/start_polynomial.h
-//). Thread-safe: const after construction.
+// (core/fit/refined/start_polynomial.h). Thread-safe: const after construction.
 
 #include "core/fit/refined/refined_problem.h"
 
@@ -16,8 +15,8 @@ class FastPass {
   FastPass(const FastPass&) = delete;
   FastPass& operator=(const FastPass&) = delete;
 
-  // What a batch holds, as runRefinedKernel(): coordinates come out.
-  void solve(const RefinedBatch<float>& batch) const { runRefinedKernel(problem(), batch); }
+  // As runRefinedKernel(): coordinates come out.
+  void solve(const RefinedPixels<float>& pixels) const { runRefinedKernel(problem(), pixels); }
   const RefinedProblem<float>& problem() const { return data_.problem(); }
 
  private:

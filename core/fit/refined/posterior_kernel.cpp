@@ -25,23 +25,24 @@ HWY_INLINE V OutwardPull(D d, const RefinedProblem<float>& problem, int k, V poi
   return hn::IfThenElseZero(hn::Or(below, above), hn::Div(step, variance));
 }
 
-void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch) {
+void Posterior(const RefinedProblem<float>& problem, const PixelRows<const float>& measured,
+               const PixelRows<const float>& coordinates, const PixelRows<float>& deviations) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
   const std::size_t lanes = hn::Lanes(d);
-  for (std::size_t i = 0; i < batch.count; i += lanes) {
-    const std::size_t live = batch.count - i < lanes ? batch.count - i : lanes;
+  for (std::size_t i = 0; i < measured.count; i += lanes) {
+    const std::size_t live = measured.count - i < lanes ? measured.count - i : lanes;
     const auto inside = hn::FirstN(d, live);
     V channels[kMaximumFitChannels];
     V precision[kMaximumFitChannels];
     for (std::size_t k = 0; k < problem.channelCount; ++k) {
-      channels[k] = LoadFirst(d, batch.channels + k * batch.stride + i, live);
+      channels[k] = LoadFirst(d, measured.data + k * measured.stride + i, live);
       precision[k] = ChannelPrecision(d, problem, channels[k]);
     }
     V point[kParameterCount];
     for (std::size_t k = 0; k < kParameterCount; ++k) {
       // A parameter that was stored and read again may have left the box by rounding.
-      point[k] = hn::Clamp(LoadFirst(d, batch.coordinates + k * batch.stride + i, live),
+      point[k] = hn::Clamp(LoadFirst(d, coordinates.data + k * coordinates.stride + i, live),
                            hn::Set(d, problem.low[k]), hn::Set(d, problem.high[k]));
     }
     V modelled[kMaximumFitChannels][kLinearColumns];
@@ -67,8 +68,8 @@ void Posterior(const RefinedProblem<float>& problem, const PosteriorBatch& batch
         deviation = CoordinatePosterior<decltype(d)>(d, problem, k, point[k], column[k], outward)
                         .Spread(d, hn::Sqrt(column[k]));
       }
-      StoreFirst(d, deviation, batch.deviations + static_cast<std::size_t>(k) * batch.stride + i,
-                 live);
+      StoreFirst(d, deviation,
+                 deviations.data + static_cast<std::size_t>(k) * deviations.stride + i, live);
     }
   }
 }
@@ -82,8 +83,9 @@ namespace cutis {
 
 HWY_EXPORT(Posterior);
 
-void runPosteriorKernel(const RefinedProblem<float>& problem, const PosteriorBatch& batch) {
-  HWY_DYNAMIC_DISPATCH(Posterior)(problem, batch);
+void runPosteriorKernel(const RefinedProblem<float>& problem, PixelRows<const float> channels,
+                        PixelRows<const float> coordinates, PixelRows<float> deviations) {
+  HWY_DYNAMIC_DISPATCH(Posterior)(problem, channels, coordinates, deviations);
 }
 
 }  // namespace cutis

@@ -7,19 +7,13 @@
 
 namespace cutis {
 
-struct PosteriorBatch {
-  std::size_t count;
-  std::size_t stride;
-  const float* channels;     // [channel][stride]
-  const float* coordinates;  // [coordinate][stride]
-  float* deviations;         // out, of the coordinates: [coordinate][stride]; 0 for fixed ones
-};
-
 // How far the truth may lie from the estimate: root mean square distance under the posterior, each
 // coordinate by itself while the others follow. Near the estimate the posterior is normal, with the
 // inverse of the full 5 × 5 normal matrix; away from it, its own shape along the coordinate and the
 // box count (core/fit/refined/posterior_spread-inl.h), since a deviation of the normal curve alone
-// is far too small where little is known. About 0.5 µs a pixel and core.
-void runPosteriorKernel(const RefinedProblem<float>& problem, const PosteriorBatch& batch);
+// is far too small where little is known. deviations: a row per coordinate, 0 for fixed ones. About
+// 0.5 µs a pixel and core.
+void runPosteriorKernel(const RefinedProblem<float>& problem, PixelRows<const float> channels,
+                        PixelRows<const float> coordinates, PixelRows<float> deviations);
 
 }  // namespace cutis

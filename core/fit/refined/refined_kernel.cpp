@@ -13,7 +13,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 template <typename T>
-HWY_NOINLINE void Refine(const RefinedProblem<T>& problem, const RefinedBatch<T>& batch) {
+HWY_NOINLINE void Refine(const RefinedProblem<T>& problem, const RefinedPixels<T>& pixels) {
   const hn::ScalableTag<T> d;
   using R = Refiner<decltype(d)>;
   constexpr std::size_t lanes = R::kLanes;
@@ -21,17 +21,18 @@ HWY_NOINLINE void Refine(const RefinedProblem<T>& problem, const RefinedBatch<T>
   constexpr std::size_t patience = lanes / 2;
   Straggler<T> aside[2 * lanes];
   std::size_t waiting = 0;
-  R refiner(problem, batch);
+  R refiner(problem, pixels);
   const auto drain = [&](std::size_t atLeast) HWY_ATTR {
     while (waiting >= atLeast && waiting > 0) {
-      const std::size_t count = waiting < lanes ? waiting : lanes;
-      waiting -= count;
-      refiner.Resume(aside + waiting, count);
+      const std::size_t resumed = waiting < lanes ? waiting : lanes;
+      waiting -= resumed;
+      refiner.Resume(aside + waiting, resumed);
       waiting += refiner.Run(waiting > 0 || atLeast > 1 ? patience : 0, aside + waiting);
     }
   };
-  for (std::size_t first = 0; first < batch.count; first += lanes) {
-    const std::size_t live = batch.count - first < lanes ? batch.count - first : lanes;
+  const std::size_t count = pixels.channels.count;
+  for (std::size_t first = 0; first < count; first += lanes) {
+    const std::size_t live = count - first < lanes ? count - first : lanes;
     refiner.Begin(first, live);
     waiting += refiner.Run(patience, aside + waiting);
     drain(lanes);
@@ -39,11 +40,11 @@ HWY_NOINLINE void Refine(const RefinedProblem<T>& problem, const RefinedBatch<T>
   drain(1);
 }
 
-void RefineFloat(const RefinedProblem<float>& problem, const RefinedBatch<float>& batch) {
-  Refine(problem, batch);
+void RefineFloat(const RefinedProblem<float>& problem, const RefinedPixels<float>& pixels) {
+  Refine(problem, pixels);
 }
-void RefineDouble(const RefinedProblem<double>& problem, const RefinedBatch<double>& batch) {
-  Refine(problem, batch);
+void RefineDouble(const RefinedProblem<double>& problem, const RefinedPixels<double>& pixels) {
+  Refine(problem, pixels);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -57,13 +58,13 @@ HWY_EXPORT(RefineFloat);
 HWY_EXPORT(RefineDouble);
 
 template <>
-void runRefinedKernel(const RefinedProblem<float>& problem, const RefinedBatch<float>& batch) {
-  HWY_DYNAMIC_DISPATCH(RefineFloat)(problem, batch);
+void runRefinedKernel(const RefinedProblem<float>& problem, const RefinedPixels<float>& pixels) {
+  HWY_DYNAMIC_DISPATCH(RefineFloat)(problem, pixels);
 }
 
 template <>
-void runRefinedKernel(const RefinedProblem<double>& problem, const RefinedBatch<double>& batch) {
-  HWY_DYNAMIC_DISPATCH(RefineDouble)(problem, batch);
+void runRefinedKernel(const RefinedProblem<double>& problem, const RefinedPixels<double>& pixels) {
+  HWY_DYNAMIC_DISPATCH(RefineDouble)(problem, pixels);
 }
 
 }  // namespace cutis

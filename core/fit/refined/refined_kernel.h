@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/base/pixel_rows.h"
 #include "core/skin/layers/node_constants.h"
 #include "core/skin/profile/parameter.h"
 
@@ -61,22 +62,20 @@ struct RefinedProblem {
   T shadingPrecision;                 // 1 / s² of a factor on all channels, 1 expected; 0: none
   T tolerance;                        // in units of one standard deviation²
   int maximumRounds;
-  const StartPolynomial* start;  // null: begin where the batch says
+  const StartPolynomial* start;  // null: begin at the coordinates that come in
 };
 
 template <typename T>
-struct RefinedBatch {
-  std::size_t count;
-  std::size_t stride;
-  const float* channels;    // in: [channel][stride]
-  T* coordinates;           // out, and in without a start polynomial: [coordinate][stride]
-  std::uint8_t* converged;  // out
-  std::uint16_t* rounds;    // added to
-  T* costs = nullptr;       // out, [pixel]: what was minimised, where somebody asks
+struct RefinedPixels {
+  PixelRows<const float> channels;
+  PixelRows<T> coordinates;  // out, and in without a start polynomial
+  std::uint8_t* converged;   // out
+  std::uint16_t* rounds;     // added to
+  T* costs = nullptr;        // out, [pixel]: what was minimised, where somebody asks
 };
 
 // T is float or double.
 template <typename T>
-void runRefinedKernel(const RefinedProblem<T>& problem, const RefinedBatch<T>& batch);
+void runRefinedKernel(const RefinedProblem<T>& problem, const RefinedPixels<T>& pixels);
 
 }  // namespace cutis

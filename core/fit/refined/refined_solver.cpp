@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "core/fit/refined/fast_pass.h"
 #include "core/fit/refined/posterior_kernel.h"
 #include "core/skin/model/choose_nodes.h"
-#include "core/skin/pixel_state.h"
 
 namespace cutis {
 namespace {
@@ -31,46 +31,42 @@ class RefinedSolver final : public PixelSolver {
         model_(std::move(model)),
         prior_(options.prior.value_or(model_->profile().prior)),
         noise_(assumedNoise(rig, options)),
-        single_(*model_, channelModel().nodes(), prior_, noise_, options) {
+        fast_(*model_, channelModel().nodes(), prior_, noise_, options) {
     if (asksForExact(rig, options) && seeingChannelCount(rig) >= unknownCount(options)) {
       exact_ = std::make_unique<const ExactPass>(*model_, channelModel().nodes(), prior_, noise_,
                                                  options);
     }
   }
 
-  void solve(const PixelBatch& batch, const SolveReport& report) const override {
-    std::vector<std::uint8_t> converged(batch.count);
-    std::fill_n(report.iterations, batch.count, std::uint16_t{0});
-    const RefinedBatch<float> refined = {batch.count,      batch.stride,     batch.channels,
-                                         batch.parameters, converged.data(), report.iterations};
-    single_.solve(refined);
-    if (exact_) exact_->finish(batch, report.iterations, converged.data());
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      report.states[i] = static_cast<std::uint8_t>(converged[i] != 0 ? PixelState::solved
-                                                                     : PixelState::noConvergence);
+  void solve(PixelRows<const float> channels, PixelRows<float> values,
+             const SolveReport& report) const override {
+    std::vector<std::uint8_t> converged(channels.count);
+    std::fill_n(report.iterations, channels.count, std::uint16_t{0});
+    fast_.solve({channels, values, converged.data(), report.iterations});
+    if (exact_) exact_->finish(channels, values, report.iterations, converged.data());
+    for (std::size_t i = 0; i < channels.count; ++i) {
+      report.states[i] = converged[i] != 0 ? PixelState::solved : PixelState::noConvergence;
     }
-    toParameters(batch);
+    toParameters(values);
   }
 
   bool hasDeviations() const override { return true; }
 
-  void deviations(const PixelBatch& batch, float* deviations) const override {
-    std::vector<float> coordinates(kParameterCount * batch.stride);
+  void deviations(PixelRows<const float> channels, PixelRows<const float> values,
+                  PixelRows<float> deviations) const override {
+    PixelBuffer<float> coordinates(kParameterCount, values.count);
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      const float* from = batch.parameters + k * batch.stride;
-      float* to = coordinates.data() + k * batch.stride;
-      std::copy_n(from, batch.count, to);
-      if (!single_.problem().isLog[k]) continue;
-      for (std::size_t i = 0; i < batch.count; ++i)
-        to[i] = std::log(to[i]);
+      const std::span<float> row = coordinates[k];
+      std::copy_n(values.row(k), values.count, row.begin());
+      if (!fast_.problem().isLog[k]) continue;
+      for (float& value : row)
+        value = std::log(value);
     }
-    runPosteriorKernel(single_.problem(),
-                       {batch.count, batch.stride, batch.channels, coordinates.data(), deviations});
+    runPosteriorKernel(fast_.problem(), channels, coordinates.rows(), deviations);
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      if (!single_.problem().isLog[k]) continue;
-      for (std::size_t i = 0; i < batch.count; ++i) {
-        deviations[k * batch.stride + i] *= batch.parameters[k * batch.stride + i];
-      }
+      if (!fast_.problem().isLog[k]) continue;
+      for (std::size_t i = 0; i < values.count; ++i)
+        deviations.at(k, i) *= values.at(k, i);
     }
   }
 
@@ -78,11 +74,11 @@ class RefinedSolver final : public PixelSolver {
 
  private:
   // Turns coordinates into parameters, in place.
-  void toParameters(const PixelBatch& batch) const {
+  void toParameters(PixelRows<float> coordinates) const {
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      if (!single_.problem().isLog[k]) continue;
-      float* row = batch.parameters + k * batch.stride;
-      for (std::size_t i = 0; i < batch.count; ++i)
+      if (!fast_.problem().isLog[k]) continue;
+      float* row = coordinates.row(k);
+      for (std::size_t i = 0; i < coordinates.count; ++i)
         row[i] = std::exp(row[i]);
     }
   }
@@ -90,7 +86,7 @@ class RefinedSolver final : public PixelSolver {
   std::shared_ptr<const SkinModel> model_;
   Prior prior_;
   NoiseModel noise_;
-  FastPass single_;
+  FastPass fast_;
   std::unique_ptr<const ExactPass> exact_;
 };
 

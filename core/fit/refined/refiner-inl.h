@@ -26,8 +26,8 @@ class Refiner {
   using M = hn::Mask<D>;
 
  public:
-  Refiner(const RefinedProblem<T>& problem, const RefinedBatch<T>& batch)
-      : problem_(problem), batch_(batch) {}
+  Refiner(const RefinedProblem<T>& problem, const RefinedPixels<T>& pixels)
+      : problem_(problem), pixels_(pixels) {}
 
   // Pixels [first, first + live), live ≤ lanes, from the start.
   HWY_INLINE void Begin(std::size_t first, std::size_t live) {
@@ -41,7 +41,8 @@ class Refiner {
       StartPoint(d, *problem_.start, problem_.channelCount, lanes_.channels, lanes_.base);
     } else {
       for (int i = 0; i < kParameterCount; ++i) {
-        lanes_.base[i] = Gather(batch_.coordinates + static_cast<std::size_t>(i) * batch_.stride);
+        lanes_.base[i] = Gather(pixels_.coordinates.data +
+                                static_cast<std::size_t>(i) * pixels_.coordinates.stride);
       }
     }
     for (int i = 0; i < kParameterCount; ++i) {
@@ -122,7 +123,7 @@ class Refiner {
     const D d;
     HWY_ALIGN T values[kLanes];
     for (std::size_t k = 0; k < problem_.channelCount; ++k) {
-      const float* row = batch_.channels + k * batch_.stride;
+      const float* row = pixels_.channels.data + k * pixels_.channels.stride;
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
         const T value = static_cast<T>(row[pixel_[lane]]);
         values[lane] = value < kBlinding ? value : kBlinding;
@@ -391,11 +392,11 @@ class Refiner {
       if (flags[0][lane] == T(0)) continue;
       const std::size_t pixel = pixel_[lane];
       for (std::size_t i = 0; i < kParameterCount; ++i) {
-        batch_.coordinates[i * batch_.stride + pixel] = values[i][lane];
+        pixels_.coordinates.data[i * pixels_.coordinates.stride + pixel] = values[i][lane];
       }
-      batch_.converged[pixel] = flags[1][lane] != T(0);
-      if (batch_.costs != nullptr) batch_.costs[pixel] = costs[lane];
-      batch_.rounds[pixel] = static_cast<std::uint16_t>(batch_.rounds[pixel] + rounds_[lane]);
+      pixels_.converged[pixel] = flags[1][lane] != T(0);
+      if (pixels_.costs != nullptr) pixels_.costs[pixel] = costs[lane];
+      pixels_.rounds[pixel] = static_cast<std::uint16_t>(pixels_.rounds[pixel] + rounds_[lane]);
     }
   }
 
@@ -431,7 +432,7 @@ class Refiner {
   }
 
   const RefinedProblem<T>& problem_;
-  const RefinedBatch<T>& batch_;
+  const RefinedPixels<T>& pixels_;
   Lanes<V> lanes_;
   std::uint32_t pixel_[kLanes];
   std::uint32_t rounds_[kLanes];

@@ -53,18 +53,12 @@ std::vector<ParameterVector> drawPixels(const StartScene& scene) {
 
 // Logarithms of noisy channels, one pixel a row.
 MatrixXd simulateLogChannels(const StartScene& scene, const std::vector<ParameterVector>& pixels) {
-  const auto count = static_cast<std::size_t>(kPixels);
-  const CompiledModel nodeModel(scene.model, scene.nodes.samples);
-  std::array<std::vector<double>, kParameterCount> columns;
-  ParameterBatch<double> batch;
-  batch.count = count;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (const ParameterVector& p : pixels)
-      columns[k].push_back(p[static_cast<Index>(k)]);
-    batch.values[k] = columns[k].data();
-  }
+  const CompiledModel compiled(scene.model, scene.nodes.samples);
+  const PixelBuffer<double> parameters = parameterRows<double>(pixels);
   MatrixXd reflectance(kPixels, static_cast<Index>(scene.nodes.samples.size()));
-  reflectanceBatch<double>(nodeModel, batch, reflectance.data());
+  reflectanceBatch<double>(
+      compiled, parameters.rows(),
+      packedRows(reflectance.data(), scene.nodes.samples.size(), pixels.size()));
   MatrixXd channels = reflectance * scene.nodes.weights.transpose();
   if (scene.shadingDeviation > 0.0) {
     Random shades(kSeed, 2);
@@ -185,7 +179,9 @@ MatrixXd estimatesFrom(const StartPolynomial& start, const MatrixXd& logChannels
   // Column by column, as Eigen stores them, is what the solver wants.
   const Eigen::MatrixXf channels = logChannels.array().exp().matrix().cast<float>();
   Eigen::MatrixXf coordinates(channels.rows(), kParameterCount);
-  solve(start, static_cast<std::size_t>(channels.rows()), channels.data(), coordinates.data());
+  const auto count = static_cast<std::size_t>(channels.rows());
+  solve(start, packedRows(channels.data(), static_cast<std::size_t>(channels.cols()), count),
+        packedRows(coordinates.data(), kParameterCount, count));
   return coordinates.cast<double>();
 }
 

@@ -10,10 +10,10 @@
 // the data allow, and one or two Gauss–Newton steps finish it.
 
 #include <array>
-#include <cstddef>
 #include <functional>
 #include <optional>
 
+#include "core/base/pixel_rows.h"
 #include "core/fit/refined/refined_kernel.h"
 #include "core/rig/rig.h"
 #include "core/skin/model/skin_model.h"
@@ -22,10 +22,9 @@
 
 namespace cutis {
 
-// Solves `count` pixels from a start: channels [channel][count] in, coordinates [coordinate][count]
-// out.
-using StartTrial = std::function<void(const StartPolynomial& start, std::size_t count,
-                                      const float* channels, float* coordinates)>;
+// Solves pixels from a start: channels in, coordinates out.
+using StartTrial = std::function<void(const StartPolynomial& start, PixelRows<const float> channels,
+                                      PixelRows<float> coordinates)>;
 
 // What pixels there may be.
 struct StartScene {

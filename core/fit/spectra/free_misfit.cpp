@@ -27,7 +27,7 @@ FreeMisfit<N>::FreeMisfit(const SkinModel& model, MeasuredRows rows, FreeSkin sk
 
 template <int N>
 SkinConstants FreeMisfit<N>::constantsAt(const Set& set) const {
-  return skin_.places().at(set.data() + kParameterCount);
+  return skin_.coordinates().constantsAt(set.data() + kParameterCount);
 }
 
 template <int N>
@@ -35,7 +35,7 @@ auto FreeMisfit<N>::setAt(const ParameterVector& parameters, const SkinConstants
     -> Set {
   Set set;
   set.template head<kParameterCount>() = parameters;
-  skin_.places().placesOf(constants, set.data() + kParameterCount);
+  skin_.coordinates().coordinatesOf(constants, set.data() + kParameterCount);
   return set;
 }
 
@@ -60,11 +60,12 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
     std::span<const Set> sets, std::span<const double* const> measured) const {
   const std::size_t count = sets.size();
   const FreeSpectra spectra = evaluate(sets, true);
-  const FreeCoordinates& places = skin_.places();
-  const int oxygenationAt = places.indexOf(kOxygenation), thicknessAt = places.indexOf(kThickness);
+  const FreeCoordinates& coordinates = skin_.coordinates();
+  const int oxygenationAt = coordinates.indexOf(kOxygenation),
+            thicknessAt = coordinates.indexOf(kThickness);
   std::vector<double> thicknessSlopes;
   for (const Set& set : sets)
-    thicknessSlopes.push_back(places.slope(kThickness, constantsAt(set)));
+    thicknessSlopes.push_back(coordinates.slope(kThickness, constantsAt(set)));
   // ∂R by coordinate k of set i at a sample.
   const auto slope = [&](std::size_t s, std::size_t i, int k) {
     const std::size_t at = s * count + i;

@@ -3,9 +3,9 @@
 // The model at measured wavelengths with constants of the profile as further coordinates, and the
 // normal equations of its misfit: the inner part of core/fit/spectra/free_spectra_fit.cpp.
 //
-// A set is the five parameters and then the places of the free constants
+// A set is the five parameters and then the coordinates of the free constants
 // (core/skin/free/free_coordinates.h). Derivatives are by the coordinates of
-// core/fit/spectra/spectra_equations.h and these places.
+// core/fit/spectra/spectra_equations.h and these.
 
 #include <cstddef>
 #include <span>

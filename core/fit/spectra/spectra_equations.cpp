@@ -1,32 +1,10 @@
 #include "core/fit/spectra/spectra_equations.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "core/skin/model/reflectance_batch.h"
 
 namespace cutis {
-namespace {
-
-struct ParameterColumns {
-  explicit ParameterColumns(std::span<const ParameterVector> sets)
-      : values(sets.size() * kParameterCount) {
-    batch.count = sets.size();
-    for (std::size_t k = 0; k < batch.values.size(); ++k) {
-      double* column = values.data() + k * sets.size();
-      batch.values[k] = column;
-      for (std::size_t i = 0; i < sets.size(); ++i) {
-        column[i] = sets[i][static_cast<Eigen::Index>(k)];
-      }
-    }
-  }
-
-  std::vector<double> values;
-  ParameterBatch<double> batch = {};
-};
-
-}  // namespace
-
 std::vector<double> absorptionPerCoordinate(const SkinModel& model, int sample) {
   const Profile& profile = model.profile();
   std::vector<double> slopes;
@@ -41,7 +19,7 @@ template <int N>
 SpectralMisfit<N>::SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
                                   double edgeLossPerMm)
     : model_(model),
-      measured_(model, {0.0, 1.0, edgeLossPerMm}),
+      instrument_(model, {0.0, 1.0, edgeLossPerMm}),
       measuredRows_(measuredRows(wavelengthsNm)) {
   assert(parameterCount(model.profile()) == N);
   if (N == kParameterCount && edgeLossPerMm == 0.0) compiled_.emplace(model, measuredRows_.samples);
@@ -71,12 +49,15 @@ auto SpectralMisfit<N>::evaluate(std::span<const Point> points, bool derivatives
   }
   if constexpr (N == kParameterCount) {
     if (compiled_) {
-      const ParameterColumns columns(points);
+      const PixelBuffer<double> parameters = parameterRows<double>(points);
+      const auto atSamples = [&](std::vector<double>& of) {
+        return packedRows(of.data(), slopes_.size(), points.size());
+      };
       if (derivatives) {
-        reflectanceBatch<double>(*compiled_, columns.batch, values.reflectance.data(),
-                                 values.perEpidermal.data(), values.perDermal.data());
+        reflectanceBatch<double>(*compiled_, parameters.rows(), atSamples(values.reflectance),
+                                 atSamples(values.perEpidermal), atSamples(values.perDermal));
       } else {
-        reflectanceBatch<double>(*compiled_, columns.batch, values.reflectance.data());
+        reflectanceBatch<double>(*compiled_, parameters.rows(), atSamples(values.reflectance));
       }
       return values;
     }
@@ -95,7 +76,7 @@ void SpectralMisfit<N>::evaluateSingly(std::span<const Point> points, SampleValu
       const int sample = measuredRows_.samples[s];
       const LayerPair absorption = model_.absorption().at(sample, parameters);
       const LayeredReflectance layered =
-          measured_.evaluate(sample, absorption.epidermal, absorption.dermal);
+          instrument_.evaluate(sample, absorption.epidermal, absorption.dermal);
       const std::size_t at = s * points.size() + i;
       values.reflectance[at] = layered.reflectance;
       if (values.perDermal.empty()) continue;

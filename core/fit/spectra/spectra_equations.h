@@ -60,7 +60,7 @@ class SpectralMisfit final : public SpectraMisfit<N> {
   void evaluateSingly(std::span<const Point> points, SampleValues& values) const;
 
   const SkinModel& model_;
-  InstrumentModel measured_;  // its edge loss alone
+  InstrumentModel instrument_;  // its edge loss alone
   MeasuredRows measuredRows_;
   std::optional<CompiledModel> compiled_;    // at the samples of the rows
   std::vector<std::vector<double>> slopes_;  // per coordinate, at the samples

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/maths/bounded_step.h"
-#include "core/maths/damping.h"
+#include "core/maths/damped_search.h"
 #include "core/skin/profile/parameter_sampling.h"
 
 namespace cutis {
@@ -92,7 +90,7 @@ class SearchChart {
   bool blended_;
 };
 
-// One damped Gauss–Newton search.
+// One search.
 template <int N>
 class SpectrumSearch {
  public:
@@ -102,48 +100,34 @@ class SpectrumSearch {
   const double* measured() const { return measured_; }
   const SearchPoint<N>& trial() const { return trial_; }
   const SearchPoint<N>& parameters() const { return parameters_; }
-  double cost() const { return cost_; }
+  double cost() const { return search_.cost(); }
 
   // Takes in what the trial came to and sets out for the next; false when there is none.
   bool advance(const EquationsOf<N>& atTrial, const ParameterAxes& axes,
                std::size_t wavelengthCount) {
-    if (atTrial.cost <= cost_) {
-      damping_.accept(cost_ - atTrial.cost, promised_);
+    if (search_.improves(atTrial.cost)) {
       parameters_ = trial_;
-      cost_ = atTrial.cost;
-      equations_ = atTrial;
-      SearchChart<N>(parameters_, axes).turn(equations_);
-      equations_.hessian.diagonal().array() += kRidge * equations_.hessian.trace();
+      EquationsOf<N> turned = atTrial;
+      SearchChart<N>(parameters_, axes).turn(turned);
+      turned.hessian.diagonal().array() += kRidge * turned.hessian.trace();
+      search_.accept(turned);
     } else {
-      damping_.reject();
+      search_.reject();
     }
-    if (++rounds_ > kMaximumRounds || damping_.exhausted()) return false;
     const SearchChart<N> chart(parameters_, axes);
     const double enough =
-        kRelativeGain * cost_ + kAbsoluteGain * static_cast<double>(wavelengthCount);
-    const BoundedStep<N> next = stepFrom(chart, damping_.value());
-    // Damping shortens steps; only without it a small promise means that the end is reached.
-    if (next.decrease <= enough && stepFrom(chart, 0.0).decrease <= enough) return false;
-    promised_ = next.decrease;
-    trial_ = chart.moved(next.step);
+        kRelativeGain * search_.cost() + kAbsoluteGain * static_cast<double>(wavelengthCount);
+    typename EquationsOf<N>::Vector step;
+    if (!search_.next(chart.x(), enough, step)) return false;
+    trial_ = chart.moved(step);
     return true;
   }
 
  private:
-  BoundedStep<N> stepFrom(const SearchChart<N>& chart, double damping) const {
-    typename EquationsOf<N>::Matrix damped = equations_.hessian;
-    damped.diagonal() *= 1.0 + damping;
-    return boundedStep(damped, equations_.downhill, chart.x());
-  }
-
   const double* measured_;
   SearchPoint<N> trial_;
   SearchPoint<N> parameters_ = SearchPoint<N>::Zero();
-  double cost_ = std::numeric_limits<double>::infinity();
-  EquationsOf<N> equations_;  // in the chart of parameters_
-  Damping damping_;
-  double promised_ = 0.0;
-  int rounds_ = 0;
+  DampedSearch<N> search_{{.maximumRounds = kMaximumRounds}};  // in the chart of parameters_
 };
 
 // Spectra spread over the box, one a column, to begin from the nearest.
@@ -191,30 +175,23 @@ class SearchStarts {
   Eigen::VectorXd squares_;
 };
 
-// All searches together, so that the model is evaluated for many at once.
 template <int N>
-Status runSearches(const SpectraMisfit<N>& misfit, std::vector<SpectrumSearch<N>>& searches,
-                   const JobContext& context) {
-  std::vector<SpectrumSearch<N>*> active;
-  for (SpectrumSearch<N>& search : searches)
-    active.push_back(&search);
-  std::vector<SearchPoint<N>> sets;
-  std::vector<const double*> measured;
-  while (!active.empty()) {
-    if (context.stopRequested()) return Cancelled{};
-    sets.clear();
-    measured.clear();
+Status runAll(const SpectraMisfit<N>& misfit, std::vector<SpectrumSearch<N>>& searches,
+              const JobContext& context) {
+  const auto evaluate = [&](const std::vector<SpectrumSearch<N>*>& active) {
+    std::vector<SearchPoint<N>> sets;
+    std::vector<const double*> measured;
     for (const SpectrumSearch<N>* search : active) {
       sets.push_back(search->trial());
       measured.push_back(search->measured());
     }
-    const std::vector<EquationsOf<N>> equations = misfit.equations(sets, measured);
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < active.size(); ++i) {
-      if (!active[i]->advance(equations[i], misfit.axes(), misfit.wavelengthCount())) continue;
-      active[left++] = active[i];
-    }
-    active.resize(left);
+    return misfit.equations(sets, measured);
+  };
+  const auto advance = [&](SpectrumSearch<N>& search, const EquationsOf<N>& equations) {
+    return search.advance(equations, misfit.axes(), misfit.wavelengthCount());
+  };
+  if (!runSearches(searches, evaluate, advance, [&] { return context.stopRequested(); })) {
+    return Cancelled{};
   }
   return {};
 }
@@ -253,7 +230,7 @@ Result<std::vector<FoundPoint<N>>> searchSpectra(const SpectraMisfit<N>& misfit,
       starts.addNearest(reflectances.data() + i * width, searches);
       if (!known.empty()) searches.emplace_back(reflectances.data() + i * width, known[i]);
     }
-    CUTIS_CHECK(runSearches(misfit, searches, context));
+    CUTIS_CHECK(runAll(misfit, searches, context));
     for (std::size_t i = first; i < last; ++i) {
       const auto own = searches.begin() + static_cast<std::ptrdiff_t>((i - first) * startCount);
       const auto best =

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/fit/table/search_index.h"
-#include "core/skin/pixel_state.h"
 
 namespace cutis {
 namespace {
@@ -16,26 +15,26 @@ class SearchSolver final : public PixelSolver {
   SearchSolver(Index index, const char* stage, std::shared_ptr<const ResponseModel> channels)
       : PixelSolver(std::move(channels)), index_(std::move(index)), stage_(stage) {}
 
-  void solve(const PixelBatch& batch, const SolveReport& report) const override {
-    std::vector<double> channels(static_cast<std::size_t>(channelCount()));
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      for (std::size_t k = 0; k < channels.size(); ++k) {
-        channels[k] = double{batch.channels[k * batch.stride + i]};
-      }
-      const std::size_t entry = index_.nearest(index_.search().features(channels));
+  void solve(PixelRows<const float> channels, PixelRows<float> values,
+             const SolveReport& report) const override {
+    std::vector<double> pixel(channels.rowCount);
+    for (std::size_t i = 0; i < channels.count; ++i) {
+      for (std::size_t k = 0; k < pixel.size(); ++k)
+        pixel[k] = double{channels.at(k, i)};
+      const std::size_t entry = index_.nearest(index_.search().features(pixel));
       const ParameterVector parameters = index_.search().table().parameters(entry);
       for (std::size_t k = 0; k < kParameterCount; ++k) {
-        batch.parameters[k * batch.stride + i] =
-            static_cast<float>(parameters[static_cast<Eigen::Index>(k)]);
+        values.at(k, i) = static_cast<float>(parameters[static_cast<Eigen::Index>(k)]);
       }
-      report.states[i] = static_cast<std::uint8_t>(PixelState::solved);
+      report.states[i] = PixelState::solved;
       report.iterations[i] = 0;
     }
   }
 
   // A table knows the nearest entry and not how far the next one would do as well.
   bool hasDeviations() const override { return false; }
-  void deviations(const PixelBatch&, float*) const override {}
+  void deviations(PixelRows<const float>, PixelRows<const float>, PixelRows<float>) const override {
+  }
   const char* stage() const override { return stage_; }
 
  private:

@@ -8,11 +8,6 @@
 namespace cutis {
 namespace {
 
-KernelLayer kernelLayer(const DenseLayer& layer) {
-  return {layer.weights.data(), layer.bias.data(), static_cast<std::size_t>(layer.inputs),
-          static_cast<std::size_t>(layer.outputs), layer.activation};
-}
-
 std::vector<float> transposedWeights(const DenseLayer& layer) {
   const auto inputs = static_cast<std::size_t>(layer.inputs);
   const auto outputs = static_cast<std::size_t>(layer.outputs);
@@ -46,11 +41,11 @@ BackPropagation::BackPropagation(const DenseNetwork& network,
 
 void BackPropagation::forward(const SamplePiece& piece, PropagationScratch& scratch) const {
   scratch.outputs.resize(network_.layers.size());
-  const float* in = piece.inputs;
+  const float* in = piece.inputs.data;
   for (std::size_t i = 0; i < network_.layers.size(); ++i) {
-    const KernelLayer layer = kernelLayer(network_.layers[i]);
-    scratch.outputs[i].resize(layer.outputs * piece.stride);
-    forwardLayer(layer, in, scratch.outputs[i].data(), piece.stride);
+    const DenseKernelLayer layer = kernelLayer(network_.layers[i]);
+    scratch.outputs[i].resize(layer.outputs * piece.inputs.stride);
+    forwardLayer(layer, in, scratch.outputs[i].data(), piece.inputs.stride);
     in = scratch.outputs[i].data();
   }
 }
@@ -61,8 +56,10 @@ double BackPropagation::compare(const SamplePiece& piece, PropagationScratch& sc
   double error = 0.0;
   for (std::size_t o = 0; o < targetWeights_.size(); ++o) {
     const float weight = targetWeights_[o];
-    for (std::size_t i = o * piece.stride; i < o * piece.stride + piece.live; ++i) {
-      const float difference = outputs[i] - piece.targets[i];
+    const float* target = piece.targets.row(o);
+    for (std::size_t n = 0; n < piece.targets.count; ++n) {
+      const std::size_t i = o * piece.inputs.stride + n;
+      const float difference = outputs[i] - target[n];
       scratch.gradient[i] = 2.0f * weight * difference;
       error += static_cast<double>(weight * difference * difference);
     }
@@ -80,21 +77,21 @@ double BackPropagation::addGradient(const SamplePiece& piece, PropagationScratch
   const double pieceError = error(piece, scratch);
   float* end = gradient + gradientSize_;  // of the gradient by the layers still to come
   for (std::size_t i = network_.layers.size(); i-- > trained_.first;) {
-    const KernelLayer layer = kernelLayer(network_.layers[i]);
+    const DenseKernelLayer layer = kernelLayer(network_.layers[i]);
     throughActivation(layer.activation, scratch.outputs[i].data(), scratch.gradient.data(),
-                      layer.outputs * piece.stride);
+                      layer.outputs * piece.inputs.stride);
     if (i < trained_.last) {
-      const float* in = i > 0 ? scratch.outputs[i - 1].data() : piece.inputs;
+      const float* in = i > 0 ? scratch.outputs[i - 1].data() : piece.inputs.data;
       float* biasGradient = end - layer.outputs;
       end = biasGradient - layer.inputs * layer.outputs;
-      addWeightGradient(scratch.gradient.data(), layer.outputs, in, layer.inputs, piece.stride, end,
-                        biasGradient);
+      addWeightGradient(scratch.gradient.data(), layer.outputs, in, layer.inputs,
+                        piece.inputs.stride, end, biasGradient);
     }
     if (i == trained_.first) break;
-    scratch.gradientBelow.resize(layer.inputs * piece.stride);
-    const KernelLayer back = {transposed_[i].data(), noBias_.data(), layer.outputs, layer.inputs,
-                              Activation::linear};
-    forwardLayer(back, scratch.gradient.data(), scratch.gradientBelow.data(), piece.stride);
+    scratch.gradientBelow.resize(layer.inputs * piece.inputs.stride);
+    const DenseKernelLayer back = {transposed_[i].data(), noBias_.data(), layer.outputs,
+                                   layer.inputs, Activation::linear};
+    forwardLayer(back, scratch.gradient.data(), scratch.gradientBelow.data(), piece.inputs.stride);
     std::swap(scratch.gradient, scratch.gradientBelow);
   }
   return pieceError;

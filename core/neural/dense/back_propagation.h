@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/pixel_rows.h"
 #include "core/neural/dense/aligned_floats.h"
 #include "core/neural/dense/dense_network.h"
 
@@ -19,13 +20,11 @@ struct TrainedLayers {
   std::size_t last = kMaximumLayers;
 };
 
-// Samples [unit][stride], stride a multiple of kSampleStep. Those from `live` on count for nothing
-// but must be finite.
+// A row per unit, a sample in place of a pixel. Rows are as long as their stride, a multiple of
+// kSampleStep: what follows the samples that count must be finite, too.
 struct SamplePiece {
-  const float* inputs = nullptr;
-  const float* targets = nullptr;
-  std::size_t stride = 0;
-  std::size_t live = 0;
+  PixelRows<const float> inputs;
+  PixelRows<const float> targets;
 };
 
 // What a piece needs while it is worked on; grows to what it needs and can be used again.

@@ -40,8 +40,8 @@ HWY_INLINE V Activate(D d, V x) {
 
 // Units row … row + kRows of kTileVectors vectors.
 template <std::size_t kRows, Activation kActivation, class D>
-HWY_INLINE void Tile(D d, const KernelLayer& layer, std::size_t row, const float* HWY_RESTRICT in,
-                     float* HWY_RESTRICT out, std::size_t stride) {
+HWY_INLINE void Tile(D d, const DenseKernelLayer& layer, std::size_t row,
+                     const float* HWY_RESTRICT in, float* HWY_RESTRICT out, std::size_t stride) {
   using V = hn::Vec<D>;
   const std::size_t lanes = hn::Lanes(d);
   V sums[kRows][kTileVectors];
@@ -70,7 +70,7 @@ HWY_INLINE void Tile(D d, const KernelLayer& layer, std::size_t row, const float
 }
 
 template <Activation kActivation>
-HWY_NOINLINE void ForwardAs(const KernelLayer& layer, const float* in, float* out,
+HWY_NOINLINE void ForwardAs(const DenseKernelLayer& layer, const float* in, float* out,
                             std::size_t stride) {
   const hn::ScalableTag<float> d;
   for (std::size_t i = 0; i < stride; i += kTileVectors * hn::Lanes(d)) {
@@ -84,7 +84,8 @@ HWY_NOINLINE void ForwardAs(const KernelLayer& layer, const float* in, float* ou
   }
 }
 
-HWY_INLINE void Forward(const KernelLayer& layer, const float* in, float* out, std::size_t stride) {
+HWY_INLINE void Forward(const DenseKernelLayer& layer, const float* in, float* out,
+                        std::size_t stride) {
   switch (layer.activation) {
     case Activation::linear:
       return ForwardAs<Activation::linear>(layer, in, out, stride);

@@ -12,7 +12,7 @@ namespace cutis {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void ForwardLayer(const KernelLayer& layer, const float* in, float* out, std::size_t stride) {
+void ForwardLayer(const DenseKernelLayer& layer, const float* in, float* out, std::size_t stride) {
   Forward(layer, in, out, stride);
 }
 
@@ -125,7 +125,7 @@ HWY_EXPORT(ForwardLayer);
 HWY_EXPORT(ThroughActivation);
 HWY_EXPORT(AddWeightGradient);
 
-void forwardLayer(const KernelLayer& layer, const float* in, float* out, std::size_t stride) {
+void forwardLayer(const DenseKernelLayer& layer, const float* in, float* out, std::size_t stride) {
   HWY_DYNAMIC_DISPATCH(ForwardLayer)(layer, in, out, stride);
 }
 

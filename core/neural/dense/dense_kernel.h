@@ -17,7 +17,7 @@ namespace cutis {
 // what it takes to keep both multipliers of a core busy.
 inline constexpr std::size_t kSampleStep = 48;
 
-struct KernelLayer {
+struct DenseKernelLayer {
   const float* weights;  // [output][input]
   const float* bias;     // [output]
   std::size_t inputs;
@@ -26,7 +26,7 @@ struct KernelLayer {
 };
 
 // out[output][stride] from in[input][stride]; the two do not overlap.
-void forwardLayer(const KernelLayer& layer, const float* in, float* out, std::size_t stride);
+void forwardLayer(const DenseKernelLayer& layer, const float* in, float* out, std::size_t stride);
 
 // gradient *= slope of the activation where its output was `out`, for `count` numbers, a multiple
 // of kSampleStep.

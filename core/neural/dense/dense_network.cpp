@@ -71,6 +71,11 @@ Status validateLayer(const DenseLayer& layer, std::size_t index, const std::stri
 
 }  // namespace
 
+DenseKernelLayer kernelLayer(const DenseLayer& layer) {
+  return {layer.weights.data(), layer.bias.data(), static_cast<std::size_t>(layer.inputs),
+          static_cast<std::size_t>(layer.outputs), layer.activation};
+}
+
 std::size_t DenseNetwork::parameterCount() const {
   std::size_t count = 0;
   for (const DenseLayer& layer : layers)

@@ -16,6 +16,7 @@
 
 #include "core/base/result.h"
 #include "core/neural/dense/activation.h"
+#include "core/neural/dense/dense_kernel.h"
 
 namespace cutis {
 
@@ -31,6 +32,9 @@ struct DenseLayer {
 
   bool operator==(const DenseLayer&) const = default;
 };
+
+// As kernels read it. The layer outlives the result and keeps its arrays.
+DenseKernelLayer kernelLayer(const DenseLayer& layer);
 
 struct DenseNetwork {
   std::vector<DenseLayer> layers;

@@ -46,7 +46,10 @@ SamplePiece fillPiece(const TrainingSet& set, const std::uint32_t* samples, std:
                       PieceBuffer& buffer) {
   gather(set.inputRows, set.inputs, samples, live, buffer.inputs);
   gather(set.targetRows, set.outputs, samples, live, buffer.targets);
-  return {buffer.inputs.data(), buffer.targets.data(), kPiece, live};
+  const auto rows = [live](const AlignedFloats& of) {
+    return PixelRows<const float>{of.data(), of.size() / kPiece, live, kPiece};
+  };
+  return {rows(buffer.inputs), rows(buffer.targets)};
 }
 
 class Trainer {

@@ -6,14 +6,14 @@
 namespace cutis {
 
 Result<FreeCoordinates> FreeCoordinates::make(const Profile& profile, const FreeConstants& free) {
-  FreeCoordinates places;
-  places.free_ = free;
-  places.own_ = constantsOf(profile);
-  if (!free.thickness) return places;
+  FreeCoordinates coordinates;
+  coordinates.free_ = free;
+  coordinates.own_ = constantsOf(profile);
+  if (!free.thickness) return coordinates;
   CUTIS_TRY(range, thicknessRange(profile));
-  places.thickness_ = range;
-  places.logRange_ = std::log(range.highMm / range.lowMm);
-  return places;
+  coordinates.thickness_ = range;
+  coordinates.logRange_ = std::log(range.highMm / range.lowMm);
+  return coordinates;
 }
 
 int FreeCoordinates::indexOf(SkinConstant constant) const {
@@ -21,11 +21,12 @@ int FreeCoordinates::indexOf(SkinConstant constant) const {
   return constant == kThickness && free_.oxygenation ? 1 : 0;
 }
 
-SkinConstants FreeCoordinates::at(const double* places) const {
+SkinConstants FreeCoordinates::constantsAt(const double* coordinates) const {
   SkinConstants constants = own_;
-  if (free_.oxygenation) constants.oxygenation = std::clamp(places[0], 0.0, 1.0);
+  if (free_.oxygenation) constants.oxygenation = std::clamp(coordinates[0], 0.0, 1.0);
   if (free_.thickness) {
-    const double thickness = thickness_.lowMm * std::exp(logRange_ * places[indexOf(kThickness)]);
+    const double thickness =
+        thickness_.lowMm * std::exp(logRange_ * coordinates[indexOf(kThickness)]);
     constants.thicknessMm = std::clamp(thickness, thickness_.lowMm, thickness_.highMm);
   }
   return constants;
@@ -40,11 +41,11 @@ SkinConstants FreeCoordinates::clamped(const SkinConstants& constants) const {
   return nearest;
 }
 
-void FreeCoordinates::placesOf(const SkinConstants& constants, double* places) const {
-  if (free_.oxygenation) places[0] = std::clamp(constants.oxygenation, 0.0, 1.0);
+void FreeCoordinates::coordinatesOf(const SkinConstants& constants, double* coordinates) const {
+  if (free_.oxygenation) coordinates[0] = std::clamp(constants.oxygenation, 0.0, 1.0);
   if (free_.thickness) {
-    const double place = std::log(constants.thicknessMm / thickness_.lowMm) / logRange_;
-    places[indexOf(kThickness)] = std::clamp(place, 0.0, 1.0);
+    const double share = std::log(constants.thicknessMm / thickness_.lowMm) / logRange_;
+    coordinates[indexOf(kThickness)] = std::clamp(share, 0.0, 1.0);
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once  // internal to core/skin/free
 
-// Free constants as coordinates from 0 to 1: oxygenation is one itself; of the thickness it is the
-// place of its logarithm in thicknessRange().
+// Free constants as coordinates from 0 to 1: the oxygenation is one as it is; that of the thickness
+// is how far its logarithm is on the way through thicknessRange().
 //
 // Thread-safe: const after construction.
 
@@ -24,12 +24,13 @@ class FreeCoordinates {
   const SkinConstants& own() const { return own_; }
   const ThicknessRange& thickness() const { return thickness_; }
 
-  // places: count() of them, 0 to 1; what is not free is the profile's. Always within the ranges.
-  SkinConstants at(const double* places) const;
+  // coordinates: count() of them, 0 to 1; what is not free is the profile's. Always within the
+  // ranges.
+  SkinConstants constantsAt(const double* coordinates) const;
   // The nearest constants within the ranges; what is not free is the profile's.
   SkinConstants clamped(const SkinConstants& constants) const;
   // Clamped into 0 to 1.
-  void placesOf(const SkinConstants& constants, double* places) const;
+  void coordinatesOf(const SkinConstants& constants, double* coordinates) const;
 
   // The derivative of a constant by its place, at these constants.
   double slope(SkinConstant constant, const SkinConstants& at) const;

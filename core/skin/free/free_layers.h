@@ -1,6 +1,6 @@
 #pragma once  // internal to core/skin/free
 
-// Reflectance of a profile's two layers where the thickness of the epidermis is a variable, too, in
+// Reflectance of a profile's two layers where the thickness of the epidermis is free, too, in
 // double precision, with all three derivatives.
 //
 // Diffusion is exact. Radiative transfer is a polynomial of the logarithm of the thickness through

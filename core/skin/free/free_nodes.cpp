@@ -33,10 +33,10 @@ Result<SpectrumRows> sampledFreeSpectra(const FreeSkin& skin, int count, int fir
   const std::vector<ParameterVector> people = sampleBox(skin.axes(), count, first);
   std::vector<SkinConstants> constants;
   for (int i = 0; i < count; ++i) {
-    double places[kConstantCount];
+    double coordinates[kConstantCount];
     for (int k = 0; k < kConstantCount; ++k)
-      places[k] = samplePlace(k, first + i);
-    constants.push_back(skin.places().at(places));
+      coordinates[k] = samplePlace(k, first + i);
+    constants.push_back(skin.coordinates().constantsAt(coordinates));
   }
   SpectrumRows spectra = SpectrumRows::Zero(count, kSampleCount);
   const std::size_t pieces = people.size() / kBatch;

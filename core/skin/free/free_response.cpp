@@ -15,14 +15,16 @@ constexpr std::size_t kRowsAtOnce = 64;
 // The share of the progress after which the nodes are chosen; their tables follow.
 constexpr double kNodesEnd = 0.8;
 
-// Constants of pixel i of a batch, within their ranges.
-SkinConstants constantsAt(const ParameterBatch<float>& batch, std::size_t i,
-                          const FreeCoordinates& places) {
+// Constants of pixel i, within their ranges.
+SkinConstants constantsAt(PixelRows<const float> values, std::size_t i,
+                          const FreeCoordinates& coordinates) {
   SkinConstants constants;
   for (const SkinConstant constant : kSkinConstants) {
-    if (places.free().has(constant)) constants[constant] = double{batch.constants[constant][i]};
+    if (!coordinates.free().has(constant)) continue;
+    const int row = kParameterCount + coordinates.indexOf(constant);
+    constants[constant] = double{values.at(static_cast<std::size_t>(row), i)};
   }
-  return places.clamped(constants);
+  return coordinates.clamped(constants);
 }
 
 }  // namespace
@@ -35,19 +37,19 @@ Result<FreeResponse> FreeResponse::make(const SkinModel& model, const SpectrumRo
   return FreeResponse(std::move(nodes), std::move(skin));
 }
 
-void FreeResponse::evaluate(const ParameterBatch<float>& batch, std::span<float* const> out) const {
+void FreeResponse::evaluate(PixelRows<const float> values, std::span<float* const> out) const {
   assert(out.size() == static_cast<std::size_t>(rowCount()));
   std::vector<ParameterVector> parameters;
   std::vector<SkinConstants> constants;
-  for (std::size_t begin = 0; begin < batch.count; begin += kRowsAtOnce) {
-    const std::size_t count = std::min(kRowsAtOnce, batch.count - begin);
+  for (std::size_t begin = 0; begin < values.count; begin += kRowsAtOnce) {
+    const std::size_t count = std::min(kRowsAtOnce, values.count - begin);
     parameters.resize(count);
     constants.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t k = 0; k < batch.values.size(); ++k) {
-        parameters[i][static_cast<Eigen::Index>(k)] = double{batch.values[k][begin + i]};
+      for (std::size_t k = 0; k < kParameterCount; ++k) {
+        parameters[i][static_cast<Eigen::Index>(k)] = double{values.at(k, begin + i)};
       }
-      constants[i] = constantsAt(batch, begin + i, skin_.places());
+      constants[i] = constantsAt(values, begin + i, skin_.coordinates());
     }
     const std::vector<double> reflectance =
         skin_.evaluate(parameters, constants, false).reflectance;

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/base/job_context.h"
+#include "core/base/pixel_rows.h"
 #include "core/base/result.h"
 #include "core/skin/free/free_skin.h"
-#include "core/skin/model/reflectance_batch.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
@@ -25,13 +25,13 @@ class FreeResponse {
   int rowCount() const { return static_cast<int>(nodes_.weights.rows()); }
   const SpectralNodes& nodes() const { return nodes_; }
   const FreeSkin& skin() const { return skin_; }
-  const FreeConstants& free() const { return skin_.places().free(); }
+  const FreeConstants& free() const { return skin_.coordinates().free(); }
 
-  // out[row][i] for each pixel of the batch, whose constants are there as far as they are free.
+  // values and out: as for ResponseModel::evaluate().
   // Constants out of range are taken as the range's ends. Within the nodes' own error, and that of
   // core/skin/free/free_layers.h; a pixel's result is its own, NaN stays in its pixel. About 1 µs
   // per pixel and core by radiative transfer, 4 µs with the thickness free.
-  void evaluate(const ParameterBatch<float>& batch, std::span<float* const> out) const;
+  void evaluate(PixelRows<const float> values, std::span<float* const> out) const;
 
  private:
   FreeResponse(SpectralNodes nodes, FreeSkin skin)

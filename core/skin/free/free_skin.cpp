@@ -12,18 +12,18 @@ Result<FreeSkin> FreeSkin::make(const SkinModel& model, std::span<const int> sam
                                 const FreeConstants& free, const JobContext& context,
                                 const FreeSkinOptions& options) {
   CUTIS_CHECK(requireFive(model.profile(), "looking for an oxygenation or a thickness"));
-  CUTIS_TRY(places, FreeCoordinates::make(model.profile(), free));
+  CUTIS_TRY(coordinates, FreeCoordinates::make(model.profile(), free));
   CUTIS_TRY(layers,
             FreeLayers::make(model.profile(), samples, free, context, options.thicknessPoints));
-  return FreeSkin(model, samples, std::move(places), std::move(layers), options.edgeLossPerMm);
+  return FreeSkin(model, samples, std::move(coordinates), std::move(layers), options.edgeLossPerMm);
 }
 
-FreeSkin::FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates places,
-                   FreeLayers layers, double edgeLossPerMm)
+FreeSkin::FreeSkin(const SkinModel& model, std::span<const int> samples,
+                   FreeCoordinates coordinates, FreeLayers layers, double edgeLossPerMm)
     : samples_(samples.begin(), samples.end()),
-      places_(std::move(places)),
+      coordinates_(std::move(coordinates)),
       axes_(model.profile().axes),
-      absorption_(model.profile(), samples_, places_.free().oxygenation),
+      absorption_(model.profile(), samples_, coordinates_.free().oxygenation),
       dermalScattering_(dermalScattering(model.profile())),
       edge_{0.0, 1.0, edgeLossPerMm},
       layers_(std::move(layers)) {}

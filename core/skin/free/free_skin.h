@@ -43,7 +43,7 @@ class FreeSkin {
                                const FreeSkinOptions& options = {});
 
   const std::vector<int>& samples() const { return samples_; }
-  const FreeCoordinates& places() const { return places_; }
+  const FreeCoordinates& coordinates() const { return coordinates_; }
   const ParameterAxes& axes() const { return axes_; }
   // Its blood is the profile's, not that of a skin.
   const AbsorptionLaw& absorption() const { return absorption_.law(); }
@@ -59,11 +59,11 @@ class FreeSkin {
                     const ParameterVector& parameters, ParameterVector& derivatives) const;
 
  private:
-  FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates places,
+  FreeSkin(const SkinModel& model, std::span<const int> samples, FreeCoordinates coordinates,
            FreeLayers layers, double edgeLossPerMm);
 
   std::vector<int> samples_;
-  FreeCoordinates places_;
+  FreeCoordinates coordinates_;
   ParameterAxes axes_;
   FreeAbsorption absorption_;
   Spectrum dermalScattering_;

@@ -1,6 +1,5 @@
 #include "core/skin/model/choose_nodes.h"
 
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -19,16 +18,10 @@ constexpr int kCheckingCount = 1000;
 SpectrumRows sampledSpectra(const CompiledModel& grid, const ParameterAxes& axes, int count,
                             int first) {
   const std::vector<ParameterVector> points = sampleBox(axes, count, first);
-  std::array<std::vector<double>, kParameterCount> columns;
-  ParameterBatch<double> batch;
-  batch.count = points.size();
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (const ParameterVector& point : points)
-      columns[k].push_back(point[static_cast<int>(k)]);
-    batch.values[k] = columns[k].data();
-  }
+  const PixelBuffer<double> parameters = parameterRows<double>(points);
   Eigen::Array<double, Eigen::Dynamic, kSampleCount> spectra(count, int{kSampleCount});
-  reflectanceBatch<double>(grid, batch, spectra.data());
+  reflectanceBatch<double>(grid, parameters.rows(),
+                           packedRows(spectra.data(), kSampleCount, points.size()));
   return spectra;
 }
 

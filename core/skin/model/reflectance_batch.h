@@ -8,31 +8,27 @@
 // work gives the same bits (on one instruction set). NaN in a pixel stays in that pixel.
 // Thread-safe.
 
-#include <array>
-#include <cstddef>
+#include <span>
 
+#include "core/base/pixel_rows.h"
 #include "core/skin/model/compiled_model.h"
-#include "core/skin/profile/free_constants.h"
 
 namespace cutis {
 
-// Parameters of `count` pixels, one array per parameter in the order of Parameter. A pixel's own
-// constants, indexed by SkinConstant, or null where the profile's hold: only
-// core/skin/free/free_response.h knows them.
+// A row per parameter, in the order of Parameter. T is float or double.
 template <typename T>
-struct ParameterBatch {
-  std::array<const T*, kParameterCount> values;
-  std::size_t count = 0;
-  std::array<const T*, kConstantCount> constants = {};
-};
+PixelBuffer<T> parameterRows(std::span<const ParameterVector> people);
 
-// reflectance[node * count + i]. T is float or double.
+// parameters: as parameterRows() gives them; what follows the five rows is left alone. reflectance:
+// a row per node, as many pixels as there are parameters. T is float or double.
 template <typename T>
-void reflectanceBatch(const CompiledModel& model, const ParameterBatch<T>& batch, T* reflectance);
+void reflectanceBatch(const CompiledModel& model, PixelRows<const T> parameters,
+                      PixelRows<T> reflectance);
 
 // The same with ∂R/∂σ_a of both layers (mm), laid out like the reflectance.
 template <typename T>
-void reflectanceBatch(const CompiledModel& model, const ParameterBatch<T>& batch, T* reflectance,
-                      T* perEpidermalAbsorption, T* perDermalAbsorption);
+void reflectanceBatch(const CompiledModel& model, PixelRows<const T> parameters,
+                      PixelRows<T> reflectance, PixelRows<T> perEpidermalAbsorption,
+                      PixelRows<T> perDermalAbsorption);
 
 }  // namespace cutis

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "core/base/pixel_rows.h"
 #include "core/skin/layers/node_constants.h"
 #include "core/skin/profile/parameter.h"
 
@@ -11,19 +12,18 @@ namespace cutis {
 
 // Free of containers: no inline function of a library is compiled for several instruction sets.
 template <typename T>
-struct BatchArguments {
+struct ReflectanceArguments {
   const NodeConstants<T>* nodes;
   std::size_t nodeCount;
   LayerConstants<T> layers;
-  const T* parameters[kParameterCount];
-  std::size_t count;
-  T* reflectance;
-  T* perEpidermal;  // null: no derivatives
-  T* perDermal;
+  PixelRows<const T> parameters;  // their `count` pixels
+  PixelRows<T> reflectance;       // a row per node
+  PixelRows<T> perEpidermal;      // no data: no derivatives
+  PixelRows<T> perDermal;
 };
 
 // T is float or double.
 template <typename T>
-void runReflectanceKernel(const BatchArguments<T>& arguments);
+void runReflectanceKernel(const ReflectanceArguments<T>& arguments);
 
 }  // namespace cutis

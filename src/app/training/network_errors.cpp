@@ -64,17 +64,14 @@ Result<Judges> drawJudges(const SkinModel& model, const JobContext& context) {
 }
 
 MatrixXf run(const NetworkPipeline& pipeline, const MatrixXf& in, bool wantsParameters) {
-  std::vector<const float*> inputs;
-  for (Index k = 0; k < in.cols(); ++k)
-    inputs.push_back(in.col(k).data());
+  const auto count = static_cast<std::size_t>(in.rows());
+  const auto inputs = packedRows(in.data(), static_cast<std::size_t>(in.cols()), count);
   MatrixXf out(in.rows(), wantsParameters ? Index{kParameterCount} : Index{pipeline.outputCount()});
-  std::vector<float*> planes;
-  for (Index k = 0; k < out.cols(); ++k)
-    planes.push_back(out.col(k).data());
+  const auto outputs = packedRows(out.data(), static_cast<std::size_t>(out.cols()), count);
   if (wantsParameters) {
-    pipeline.run(static_cast<std::size_t>(in.rows()), inputs, planes, {});
+    pipeline.run(inputs, outputs, {});
   } else {
-    pipeline.run(static_cast<std::size_t>(in.rows()), inputs, {}, planes);
+    pipeline.run(inputs, {}, outputs);
   }
   return out;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <limits>
 
 #include "core/base/random.h"
@@ -15,38 +14,29 @@ namespace {
 constexpr std::size_t kPixels = 1 << 11;
 constexpr int kRuns = 300;
 
-using Planes = std::vector<std::vector<float>>;
-
-Planes randomPlanes(int count) {
-  Planes planes;
-  for (int k = 0; k < count; ++k) {
-    Random random(6, static_cast<std::uint64_t>(k));
-    planes.emplace_back(kPixels);
-    for (float& value : planes.back())
+PixelBuffer<float> randomInputs(int count) {
+  PixelBuffer<float> inputs(static_cast<std::size_t>(count), kPixels);
+  for (std::size_t k = 0; k < inputs.rowCount(); ++k) {
+    Random random(6, k);
+    for (float& value : inputs[k])
       value = static_cast<float>(random.uniform(0.05, 0.6));
   }
-  return planes;
+  return inputs;
 }
 
 // Of one core.
-double nanosecondsPerPixel(const NetworkPipeline& pipeline, const Planes& inputs,
+double nanosecondsPerPixel(const NetworkPipeline& pipeline, const PixelBuffer<float>& inputs,
                            bool wantsParameters) {
-  Planes results(
+  PixelBuffer<float> results(
       static_cast<std::size_t>(wantsParameters ? int{kParameterCount} : pipeline.outputCount()),
-      std::vector<float>(kPixels));
-  std::vector<const float*> in;
-  for (const auto& plane : inputs)
-    in.push_back(plane.data());
-  std::vector<float*> out;
-  for (auto& plane : results)
-    out.push_back(plane.data());
+      kPixels);
   double least = std::numeric_limits<double>::infinity();
   for (int run = 0; run < kRuns; ++run) {
     const auto start = std::chrono::steady_clock::now();
     if (wantsParameters) {
-      pipeline.run(kPixels, in, out, {});
+      pipeline.run(inputs.rows(), results.rows(), {});
     } else {
-      pipeline.run(kPixels, in, {}, out);
+      pipeline.run(inputs.rows(), {}, results.rows());
     }
     const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
     least = std::min(least, took.count() / static_cast<double>(kPixels));
@@ -65,7 +55,7 @@ Result<SizeFigures> studySize(const SkinModel& model, const Rig& rig,
   const auto encoder = NetworkPipeline::encoder(chromophores);
   CUTIS_TRY(both,
             NetworkPipeline::encoderDecoder(chromophores, trained.file.spectra, responseRows(rig)));
-  const Planes inputs = randomPlanes(encoder.inputCount());
+  const PixelBuffer<float> inputs = randomInputs(encoder.inputCount());
   SizeFigures figures;
   figures.weights =
       trained.file.spectra.network.parameterCount() + chromophores.network.parameterCount();

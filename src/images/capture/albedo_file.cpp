@@ -109,8 +109,7 @@ class AlbedoReader {
       const Eigen::Vector3f xyz = matrix_ * Eigen::Map<const Eigen::Vector3f>(&rgb[3 * p]);
       std::copy_n(xyz.data(), 3, &rgb[3 * p]);
       const float included = alpha[p] == 0.0f ? 0.0f : mask[p];
-      state[p] =
-          static_cast<float>(classify(std::span(rgb).subspan(3 * p, 3), included, clipped[p] != 0));
+      state[p] = storedState(classify(std::span(rgb).subspan(3 * p, 3), included, clipped[p] != 0));
     }
     return store(rect, rgb, plane, state);
   }

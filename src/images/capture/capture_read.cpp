@@ -150,7 +150,7 @@ class CaptureReader {
     for (std::size_t p = 0; p < pixels; ++p) {
       for (std::size_t c = 0; c < channels; ++c)
         pixel[c] = values[c * pixels + p];
-      state[p] = static_cast<float>(classify(pixel, mask[p], clipped[p] != 0));
+      state[p] = storedState(classify(pixel, mask[p], clipped[p] != 0));
     }
     return measurements.state.store(rect, state);
   }

@@ -12,16 +12,6 @@
 namespace cutis {
 namespace {
 
-bool isState(float value) {
-  return value >= 0.0f && value <= static_cast<float>(PixelState::noConvergence) &&
-         value == std::floor(value);
-}
-
-bool isEstimate(float state) {
-  return state == static_cast<float>(PixelState::solved) ||
-         state == static_cast<float>(PixelState::noConvergence);
-}
-
 struct Tile {
   std::vector<float> state;
   std::vector<std::vector<float>> values;  // parameters, then constants
@@ -59,10 +49,10 @@ struct Tile {
     for (std::size_t p = 0; p < state.size(); ++p) {
       const bool finite = std::all_of(values.begin(), values.end(),
                                       [&](const auto& v) { return std::isfinite(v[p]); });
-      const bool sound = finite && isState(state[p]);
-      if (sound && (!isEstimate(state[p]) || hasPossibleConstants(p))) continue;
+      const bool sound = finite && isPixelState(state[p]);
+      if (sound && (!hasEstimate(pixelState(state[p])) || hasPossibleConstants(p))) continue;
       ++spoiled;
-      state[p] = static_cast<float>(PixelState::invalid);
+      state[p] = storedState(PixelState::invalid);
       for (auto& v : values)
         v[p] = 0.0f;
     }
@@ -74,7 +64,7 @@ struct Tile {
     for (int y = rect.y0; y < rect.y1; ++y) {
       for (int x = rect.x0; x < rect.x1; ++x, ++p) {
         if (stored.contains(x, y)) continue;
-        state[p] = static_cast<float>(PixelState::masked);
+        state[p] = storedState(PixelState::masked);
         for (auto& v : values)
           v[p] = 0.0f;
       }

@@ -31,7 +31,7 @@ ChromophoreMaps randomMaps() {
     const auto state = i % 7 == 0    ? PixelState::masked
                        : i % 11 == 0 ? PixelState::noConvergence
                                      : PixelState::solved;
-    states[i] = static_cast<float>(state);
+    states[i] = storedState(state);
   }
   for (std::size_t k = 0; k < kParameterCount; ++k) {
     for (float& value : values)
@@ -167,8 +167,8 @@ class EditStackTest : public QObject {
       if (i % 7 != 0) continue;
       ++unsolved;
       QVERIFY(!edited.present[i]);
-      for (const auto& values : edited.values) {
-        QCOMPARE(values[i], original_.values[std::size_t(&values - edited.values.data())][i]);
+      for (std::size_t k = 0; k < edited.values.rowCount(); ++k) {
+        QCOMPARE(edited.values[k][i], original_.values[k][i]);
       }
     }
     QVERIFY(unsolved > 1000);

@@ -52,7 +52,7 @@ class CoarseFitTest : public QObject {
     const auto states = test::pixelsOf(planes.maps.state);
     const auto melanin = test::pixelsOf(planes.maps.values[kMelanin]);
     const auto stateAt = [&](std::size_t x, std::size_t y) {
-      return static_cast<PixelState>(static_cast<int>(states[y * 64 + x]));
+      return pixelState(states[y * 64 + x]);
     };
     QCOMPARE(stateAt(5, 5), PixelState::masked);  // its block's first pixel is no skin
     QCOMPARE(stateAt(20, 30), PixelState::saturated);

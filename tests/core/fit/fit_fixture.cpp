@@ -74,9 +74,10 @@ ParameterVector Solutions::at(std::size_t pixel) const {
 Solutions solve(const PixelSolver& solver, const PixelSet& pixels) {
   Solutions solutions;
   solutions.parameters.resize(kParameterCount * pixels.count);
-  solutions.states.resize(pixels.count, 255);
+  solutions.states.resize(pixels.count, PixelState::masked);
   solutions.iterations.resize(pixels.count, 999);
-  solver.solve({pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
+  solver.solve(pixels.rows(),
+               packedRows(solutions.parameters.data(), kParameterCount, pixels.count),
                {solutions.states.data(), solutions.iterations.data()});
   return solutions;
 }

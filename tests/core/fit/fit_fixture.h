@@ -28,6 +28,7 @@ struct PixelSet {
   std::vector<float> channels;
 
   std::size_t channelCount() const { return channels.size() / count; }
+  PixelRows<const float> rows() const { return packedRows(channels.data(), channelCount(), count); }
   Eigen::VectorXd at(std::size_t pixel) const;
 };
 
@@ -39,10 +40,13 @@ PixelSet pixelsOf(const std::vector<std::vector<float>>& pixels);
 
 struct Solutions {
   std::vector<float> parameters;  // [parameter][count]
-  std::vector<std::uint8_t> states;
+  std::vector<PixelState> states;
   std::vector<std::uint16_t> iterations;
 
   ParameterVector at(std::size_t pixel) const;
+  PixelRows<const float> rows() const {
+    return packedRows(parameters.data(), kParameterCount, states.size());
+  }
   bool operator==(const Solutions&) const = default;
 };
 Solutions solve(const PixelSolver& solver, const PixelSet& pixels);

@@ -173,7 +173,8 @@ class PixelGroupingTest : public QObject {
   void equalMeansTheSameBits() {
     const std::vector<float> channels = {1, 2, 1, -0.0f, 0, 1,   // first channel
                                          5, 5, 5, 5,     5, 6};  // second
-    const PixelGrouping grouping = groupEqualPixels(channels.data(), 2, 6, {0, 1, 2, 3, 4, 5});
+    const PixelGrouping grouping =
+        groupEqualPixels(packedRows(channels.data(), 2, 6), {0, 1, 2, 3, 4, 5});
     QVERIFY((grouping.representatives == std::vector<std::uint32_t>{0, 1, 3, 4, 5}));
     QVERIFY((grouping.groupOf == std::vector<std::uint32_t>{0, 1, 0, 2, 3, 4}));
   }
@@ -190,7 +191,8 @@ class PixelGroupingTest : public QObject {
       std::vector<std::uint32_t> pixels;
       for (std::uint32_t i = 0; i < kCount; i += 1 + i % 2)
         pixels.push_back(i);
-      const PixelGrouping grouping = groupEqualPixels(channels.data(), 2, kCount, pixels);
+      const PixelGrouping grouping =
+          groupEqualPixels(packedRows(channels.data(), 2, kCount), pixels);
       QCOMPARE(grouping.groupOf.size(), pixels.size());
       QVERIFY(std::is_sorted(grouping.representatives.begin(), grouping.representatives.end()));
       for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -202,7 +204,7 @@ class PixelGroupingTest : public QObject {
   }
 
   void nothingGivesNothing() {
-    const PixelGrouping grouping = groupEqualPixels(nullptr, 3, 0, {});
+    const PixelGrouping grouping = groupEqualPixels({}, {});
     QVERIFY(grouping.representatives.empty() && grouping.groupOf.empty());
   }
 };

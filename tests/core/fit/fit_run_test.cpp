@@ -26,25 +26,23 @@ class CountingSolver final : public PixelSolver {
       : PixelSolver(std::make_shared<const ResponseModel>(test::li2024(),
                                                           responseRows(test::albedoRig()))) {}
 
-  void solve(const PixelBatch& batch, const SolveReport& report) const override {
-    solved += batch.count;
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      for (std::size_t k = 0; k < kParameterCount; ++k) {
-        batch.parameters[k * batch.stride + i] =
-            static_cast<float>(k + 1) * batch.channels[(k % 3) * batch.stride + i];
-      }
-      const bool hard = batch.channels[i] > 0.9f;
-      report.states[i] =
-          static_cast<std::uint8_t>(hard ? PixelState::noConvergence : PixelState::solved);
+  void solve(PixelRows<const float> channels, PixelRows<float> values,
+             const SolveReport& report) const override {
+    solved += channels.count;
+    for (std::size_t i = 0; i < channels.count; ++i) {
+      for (std::size_t k = 0; k < kParameterCount; ++k)
+        values.at(k, i) = static_cast<float>(k + 1) * channels.at(k % 3, i);
+      const bool hard = channels.at(0, i) > 0.9f;
+      report.states[i] = hard ? PixelState::noConvergence : PixelState::solved;
       report.iterations[i] = hard ? 40 : 2;
     }
     if (whenSolving) whenSolving();
   }
-  void deviations(const PixelBatch& batch, float* deviations) const override {
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      for (std::size_t k = 0; k < kParameterCount; ++k) {
-        deviations[k * batch.stride + i] = batch.parameters[k * batch.stride + i] / 8.0f;
-      }
+  void deviations(PixelRows<const float>, PixelRows<const float> values,
+                  PixelRows<float> deviations) const override {
+    for (std::size_t k = 0; k < kParameterCount; ++k) {
+      for (std::size_t i = 0; i < values.count; ++i)
+        deviations.at(k, i) = values.at(k, i) / 8.0f;
     }
   }
   bool hasDeviations() const override { return true; }

@@ -39,12 +39,14 @@ struct Found {
         values(solver.valueCount() * count),
         deviations(values.size()),
         residuals(pixels.channels.size()),
-        states(count, 255),
+        states(count, PixelState::masked),
         iterations(count) {
-    const PixelBatch batch = {count, count, pixels.channels.data(), values.data()};
-    solver.solve(batch, {states.data(), iterations.data()});
-    solver.deviations(batch, deviations.data());
-    solver.residuals(batch, residuals.data());
+    const auto rowsOf = [&](std::vector<float>& of) {
+      return packedRows(of.data(), of.size() / count, count);
+    };
+    solver.solve(pixels.rows(), rowsOf(values), {states.data(), iterations.data()});
+    solver.deviations(pixels.rows(), rowsOf(values), rowsOf(deviations));
+    solver.residuals(pixels.rows(), rowsOf(values), rowsOf(residuals));
   }
 
   double value(int k, std::size_t i) const {
@@ -56,7 +58,7 @@ struct Found {
 
   std::size_t count;
   std::vector<float> values, deviations, residuals;
-  std::vector<std::uint8_t> states;
+  std::vector<PixelState> states;
   std::vector<std::uint16_t> iterations;
 };
 
@@ -130,7 +132,8 @@ class FreeSolverTest : public QObject {
     const auto people = test::crowd(*model, free, 1000);
     const auto solver = freeSolverOf(*model, free, kUsual);
     const Found found(*solver, test::photographCrowd(*model, test::manyLightRig(), people, 0.005));
-    QVERIFY(std::ranges::all_of(found.states, [](std::uint8_t state) { return state == 0; }));
+    QVERIFY(std::ranges::all_of(found.states,
+                                [](PixelState state) { return state == PixelState::solved; }));
     for (int k = 0; k < static_cast<int>(solver->valueCount()); ++k) {
       int inside = 0;
       for (std::size_t i = 0; i < people.size(); ++i) {
@@ -160,7 +163,7 @@ class FreeSolverTest : public QObject {
       options.noise = kUsual;
       const auto five =
           test::solve(*makeRefinedSolver(model, test::manyLightRig(), options), pixels);
-      const FreePrior prior = usualConstantsPrior(model->profile());
+      const FreePrior prior = usualFreePrior(model->profile());
       for (int k = 0; k < 7; ++k) {
         std::vector<double> away;
         for (std::size_t i = 0; i < people.size(); ++i) {

@@ -21,7 +21,7 @@ Measurements photograph(const Rig& rig, int width, int height,
       const std::vector<float> pixel = channels(x, y);
       for (std::size_t k = 0; k < channelCount; ++k)
         values[k][i] = pixel[k];
-      if (state) states[i] = static_cast<float>(state(x, y));
+      if (state) states[i] = storedState(state(x, y));
     }
   }
   for (const std::vector<float>& channel : values) {

@@ -39,9 +39,8 @@ struct Fitted {
     const auto solver = makeRefinedSolver(test::sharedModel(), test::monitorRig(), options);
     solutions = test::solve(*solver, pixels);
     deviations.resize(solutions.parameters.size());
-    solver->deviations(
-        {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
-        deviations.data());
+    solver->deviations(pixels.rows(), solutions.rows(),
+                       packedRows(deviations.data(), kParameterCount, pixels.count));
   }
 
   test::Objective objective() const {

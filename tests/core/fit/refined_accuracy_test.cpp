@@ -73,7 +73,7 @@ class RefinedAccuracyTest : public QObject {
       const double excess = objective.cost(pixels.at(i), solutions.at(i)) - exact.cost;
       far += distance <= 0.2 ? 0 : 1;
       costly += excess <= 0.05 ? 0 : 1;
-      notConverged += solutions.states[i] == 0 ? 0 : 1;
+      notConverged += solutions.states[i] == PixelState::solved ? 0 : 1;
       worstDistance = std::max(worstDistance, distance);
       worstCost = std::max(worstCost, excess);
     }
@@ -140,9 +140,8 @@ class RefinedAccuracyTest : public QObject {
         test::simulate(test::monitorRig(), drawPopulation(protocolPopulation(), 50, 12), 0.02);
     test::Solutions solutions = test::solve(*solver, pixels);
     std::vector<float> residuals(pixels.channels.size());
-    solver->residuals(
-        {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
-        residuals.data());
+    solver->residuals(pixels.rows(), solutions.rows(),
+                      packedRows(residuals.data(), pixels.channelCount(), pixels.count));
     const SpectrumRows rows = responseRows(test::monitorRig());
     for (std::size_t i = 0; i < pixels.count; ++i) {
       const Eigen::VectorXd modelled =

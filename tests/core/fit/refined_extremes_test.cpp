@@ -51,8 +51,7 @@ test::PixelSet oddPixels(std::size_t channelCount) {
 // Finite, in the box, and a state that a fit may give.
 bool wellBehaved(const test::Solutions& solutions, std::size_t i) {
   const ParameterVector p = solutions.at(i);
-  bool good = solutions.states[i] == static_cast<int>(PixelState::solved) ||
-              solutions.states[i] == static_cast<int>(PixelState::noConvergence);
+  bool good = hasEstimate(solutions.states[i]);
   for (int k = 0; k < kParameterCount; ++k) {
     // A float next to the bound may round to just beyond it.
     const double maximum = test::li2024().profile().axes[std::size_t(k)].maximum;
@@ -79,12 +78,11 @@ void expectGoodAnswers(const PixelSolver& solver, const test::PixelSet& pixels,
                                                        .arg(solutions.at(i)[2])
                                                        .arg(solutions.at(i)[3])
                                                        .arg(solutions.at(i)[4])
-                                                       .arg(int{solutions.states[i]})));
+                                                       .arg(storedState(solutions.states[i]))));
   }
   std::vector<float> deviations(solutions.parameters.size(), -1.0f);
-  solver.deviations(
-      {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
-      deviations.data());
+  solver.deviations(pixels.rows(), solutions.rows(),
+                    packedRows(deviations.data(), kParameterCount, pixels.count));
   for (const float value : deviations) {
     QVERIFY2(std::isfinite(value) && value >= 0.0f, instructionSet);
   }
@@ -143,8 +141,8 @@ class RefinedExtremesTest : public QObject {
     }
     const auto squares = [&](test::Solutions& at) {
       std::vector<float> residuals(pixels.channels.size());
-      solver->residuals({pixels.count, pixels.count, pixels.channels.data(), at.parameters.data()},
-                        residuals.data());
+      solver->residuals(pixels.rows(), at.rows(),
+                        packedRows(residuals.data(), pixels.channelCount(), pixels.count));
       std::vector<double> sums(pixels.count, 0.0);
       for (std::size_t i = 0; i < residuals.size(); ++i) {
         sums[i % pixels.count] += double{residuals[i]} * double{residuals[i]};
@@ -168,12 +166,11 @@ class RefinedExtremesTest : public QObject {
     const auto solver = makeRefinedSolver(test::sharedModel(), test::albedoRig(), options);
     test::Solutions solutions = test::solve(*solver, pixels);
     std::vector<float> residuals(pixels.channels.size());
-    solver->residuals(
-        {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()},
-        residuals.data());
+    solver->residuals(pixels.rows(), solutions.rows(),
+                      packedRows(residuals.data(), pixels.channelCount(), pixels.count));
     int unsolved = 0, far = 0;
-    for (const std::uint8_t state : solutions.states)
-      unsolved += state == 0 ? 0 : 1;
+    for (const PixelState state : solutions.states)
+      unsolved += state == PixelState::solved ? 0 : 1;
     for (const float residual : residuals)
       far += std::abs(residual) > 1e-5f ? 1 : 0;
     EXPECT_AT_MOST(unsolved, 5);
@@ -204,9 +201,8 @@ class RefinedExtremesTest : public QObject {
         const test::PixelSet pixels = oddPixels(9);
         const test::Solutions solutions = test::solve(*solver, pixels);
         std::vector<float> deviations(solutions.parameters.size(), -1.0f);
-        std::vector<float> parameters = solutions.parameters;
-        solver->deviations({pixels.count, pixels.count, pixels.channels.data(), parameters.data()},
-                           deviations.data());
+        solver->deviations(pixels.rows(), solutions.rows(),
+                           packedRows(deviations.data(), kParameterCount, pixels.count));
         for (std::size_t i = 0; i < pixels.count; ++i) {
           QVERIFY(wellBehaved(solutions, i));
           QCOMPARE(solutions.parameters[index * pixels.count + i], static_cast<float>(value));
@@ -263,8 +259,8 @@ class RefinedExtremesTest : public QObject {
 
   void noPixelsAreNoWork() {
     const auto solver = makeRefinedSolver(test::sharedModel(), test::albedoRig(), {});
-    solver->solve({}, {});
-    solver->deviations({}, nullptr);
+    solver->solve({}, {}, {});
+    solver->deviations({}, {}, {});
   }
 };
 

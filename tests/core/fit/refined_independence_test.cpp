@@ -44,7 +44,7 @@ test::PixelSet pick(const test::PixelSet& from, const std::vector<std::size_t>& 
 // Bits of everything the solver says about a pixel.
 struct Answer {
   std::array<float, kParameterCount> parameters;
-  std::uint8_t state;
+  PixelState state = PixelState::masked;
   std::uint16_t iterations;
 };
 Answer answerOf(const test::Solutions& solutions, std::size_t i) {
@@ -167,16 +167,17 @@ class RefinedIndependenceTest : public QObject {
     const auto solver = makeRefinedSolver(test::sharedModel(), test::monitorRig(), {});
     const test::PixelSet pixels = mixedPixels(50);
     std::vector<float> parameters(kParameterCount * 50, -7.0f);
-    std::vector<std::uint8_t> states(50, 200);
+    std::vector<PixelState> states(50, PixelState::saturated);
     std::vector<std::uint16_t> iterations(50, 999);
-    solver->solve({13, 50, pixels.channels.data() + 5, parameters.data() + 5},
+    solver->solve(pixels.rows().part(5, 13),
+                  packedRows(parameters.data(), kParameterCount, 50).part(5, 13),
                   {states.data() + 5, iterations.data() + 5});
     for (std::size_t i = 0; i < 50; ++i) {
       const bool inside = i >= 5 && i < 18;
       for (std::size_t k = 0; k < kParameterCount; ++k) {
         QCOMPARE(parameters[k * 50 + i] == -7.0f, !inside);
       }
-      QCOMPARE(states[i] == 200, !inside);
+      QCOMPARE(states[i] == PixelState::saturated, !inside);
       QCOMPARE(iterations[i] == 999, !inside);
     }
   }

@@ -47,10 +47,6 @@ std::unique_ptr<const PixelSolver> shadedSolverOf(std::optional<double> shading)
   return makeRefinedSolver(test::sharedModel(), test::monitorRig(), options);
 }
 
-PixelBatch batchOf(const test::PixelSet& pixels, test::Solutions& solutions) {
-  return {pixels.count, pixels.count, pixels.channels.data(), solutions.parameters.data()};
-}
-
 double rootMeanSquare(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values)
@@ -73,7 +69,8 @@ class ShadingTest : public QObject {
       }
       return sum;
     };
-    const double s = double{shadingFactor(model, measured.data(), modelled.data(), 3, 1)};
+    const double s = double{
+        shadingFactor(model, packedRows(measured.data(), 3, 1), packedRows(modelled.data(), 3, 1))};
     QVERIFY(cost(s) < cost(s + 1e-3) && cost(s) < cost(s - 1e-3));
   }
 
@@ -81,16 +78,15 @@ class ShadingTest : public QObject {
   void findsTheShadeAndTheSkin() {
     const ShadedPixels scene;
     const auto solver = shadedSolverOf(kUsualShadingDeviation);
-    QVERIFY(solver->hasShading());
     test::Solutions solutions = test::solve(*solver, scene.pixels);
     std::vector<float> factors(kShadedPixels);
-    solver->shading(batchOf(scene.pixels, solutions), factors.data());
+    solver->shading(scene.pixels.rows(), solutions.rows(), factors.data());
     const auto plain = shadedSolverOf({});
     const test::Solutions unaware = test::solve(*plain, scene.pixels);
     std::vector<double> errors, assumed;
     double spectra = 0.0, unawareSpectra = 0.0;
     for (std::size_t i = 0; i < kShadedPixels; ++i) {
-      QCOMPARE(solutions.states[i], std::uint8_t{0});
+      QVERIFY(solutions.states[i] == PixelState::solved);
       errors.push_back(double{factors[i]} - scene.factors[i]);
       assumed.push_back(1.0 - scene.factors[i]);
       spectra += test::visibleError(scene.people[i], solutions.at(i)) / kShadedPixels;
@@ -114,8 +110,10 @@ class ShadingTest : public QObject {
     const auto cost = [&](std::size_t pixel, const ParameterVector& skin) {
       const Eigen::VectorXf measured = scene.pixels.at(pixel).cast<float>();
       const Eigen::VectorXf modelled = objective.modelled(skin).cast<float>();
-      const double s = double{shadingFactor({noise, kUsualShadingDeviation}, measured.data(),
-                                            modelled.data(), static_cast<int>(measured.size()), 1)};
+      const double s = double{
+          shadingFactor({noise, kUsualShadingDeviation},
+                        packedRows(measured.data(), static_cast<std::size_t>(measured.size()), 1),
+                        packedRows(modelled.data(), static_cast<std::size_t>(measured.size()), 1))};
       double sum = std::pow((s - 1.0) / kUsualShadingDeviation, 2) +
                    ((skin - objective.prior->mean) / objective.prior->deviation).square().sum();
       for (Eigen::Index k = 0; k < measured.size(); ++k) {
@@ -151,8 +149,10 @@ class ShadingTest : public QObject {
     const auto shaded = shadedSolverOf(kUsualShadingDeviation), plain = shadedSolverOf({});
     test::Solutions solutions = test::solve(*shaded, scene.pixels);
     std::vector<float> with(solutions.parameters.size()), without(with.size());
-    shaded->deviations(batchOf(scene.pixels, solutions), with.data());
-    plain->deviations(batchOf(scene.pixels, solutions), without.data());
+    shaded->deviations(scene.pixels.rows(), solutions.rows(),
+                       packedRows(with.data(), kParameterCount, kShadedPixels));
+    plain->deviations(scene.pixels.rows(), solutions.rows(),
+                      packedRows(without.data(), kParameterCount, kShadedPixels));
     double sum = 0.0, plainSum = 0.0;
     for (std::size_t i = 0; i < kShadedPixels; ++i) {
       sum += double{with[kMelanin * kShadedPixels + i]};
@@ -166,7 +166,8 @@ class ShadingTest : public QObject {
     const auto solver = shadedSolverOf(kUsualShadingDeviation);
     test::Solutions solutions = test::solve(*solver, scene.pixels);
     std::vector<float> residuals(scene.pixels.channels.size());
-    solver->residuals(batchOf(scene.pixels, solutions), residuals.data());
+    solver->residuals(scene.pixels.rows(), solutions.rows(),
+                      packedRows(residuals.data(), scene.pixels.channelCount(), kShadedPixels));
     std::vector<double> relative;
     for (std::size_t i = 0; i < residuals.size(); ++i) {
       relative.push_back(double{residuals[i]} / double{scene.pixels.channels[i]});

@@ -33,7 +33,9 @@ struct Samples {
     for (float& t : targets)
       t = static_cast<float>(random.uniform());
   }
-  SamplePiece piece() const { return {inputs.data(), targets.data(), kStride, kLive}; }
+  SamplePiece piece() const {
+    return {{inputs.data(), 5, kLive, kStride}, {targets.data(), 3, kLive, kStride}};
+  }
 
   // The definition, in double precision.
   double error(const DenseNetwork& network) const {

@@ -64,10 +64,7 @@ struct Passed {
 Passed run(const NetworkPipeline& pipeline, const MatrixXf& in, bool hasEncoder) {
   Passed result = {MatrixXf::Zero(in.rows(), hasEncoder ? kParameterCount : 0),
                    MatrixXf::Zero(in.rows(), pipeline.outputCount())};
-  const auto inputs = test::planesOf(in);
-  const auto parameters = test::planesOf(result.parameters);
-  const auto outputs = test::planesOf(result.outputs);
-  pipeline.run(static_cast<std::size_t>(in.rows()), inputs, parameters, outputs);
+  pipeline.run(test::rowsOf(in), test::rowsOf(result.parameters), test::rowsOf(result.outputs));
   return result;
 }
 

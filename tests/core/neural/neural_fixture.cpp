@@ -61,18 +61,14 @@ const ChromophoreNetwork& quickChromophoreNetwork() {
   return network;
 }
 
-std::vector<const float*> planesOf(const Eigen::MatrixXf& pixels) {
-  std::vector<const float*> planes;
-  for (Eigen::Index k = 0; k < pixels.cols(); ++k)
-    planes.push_back(pixels.col(k).data());
-  return planes;
+PixelRows<const float> rowsOf(const Eigen::MatrixXf& pixels) {
+  return packedRows(pixels.data(), static_cast<std::size_t>(pixels.cols()),
+                    static_cast<std::size_t>(pixels.rows()));
 }
 
-std::vector<float*> planesOf(Eigen::MatrixXf& pixels) {
-  std::vector<float*> planes;
-  for (Eigen::Index k = 0; k < pixels.cols(); ++k)
-    planes.push_back(pixels.col(k).data());
-  return planes;
+PixelRows<float> rowsOf(Eigen::MatrixXf& pixels) {
+  return packedRows(pixels.data(), static_cast<std::size_t>(pixels.cols()),
+                    static_cast<std::size_t>(pixels.rows()));
 }
 
 }  // namespace cutis::test

@@ -2,6 +2,7 @@
 
 // What the tests of networks share: a basis from a part of the table, and small trained networks.
 
+#include "core/base/pixel_rows.h"
 #include "core/neural/chromophore_network.h"
 #include "core/neural/spectra_network.h"
 
@@ -18,8 +19,8 @@ ChromophoreNetworkOptions quickChromophoreOptions();
 const SpectraNetwork& quickSpectraNetwork();
 const ChromophoreNetwork& quickChromophoreNetwork();
 
-// Planes of a matrix with one pixel a row.
-std::vector<const float*> planesOf(const Eigen::MatrixXf& pixels);
-std::vector<float*> planesOf(Eigen::MatrixXf& pixels);
+// Columns of a matrix with one pixel a row.
+PixelRows<const float> rowsOf(const Eigen::MatrixXf& pixels);
+PixelRows<float> rowsOf(Eigen::MatrixXf& pixels);
 
 }  // namespace cutis::test

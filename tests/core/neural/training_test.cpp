@@ -36,9 +36,7 @@ struct People {
 // Mean squared error over 400–700 nm, of spectra by a pipeline.
 double visibleError(const NetworkPipeline& pipeline, const MatrixXf& in, const People& people) {
   MatrixXf out(kPeople, kSampleCount);
-  const auto inputs = test::planesOf(in);
-  const auto outputs = test::planesOf(out);
-  pipeline.run(kPeople, inputs, {}, outputs);
+  pipeline.run(test::rowsOf(in), {}, test::rowsOf(out));
   const MatrixXd away = out.cast<double>() - people.spectra;
   return away.middleCols(kVisibleBand.first, kVisibleBand.count()).squaredNorm() /
          static_cast<double>(kPeople * kVisibleBand.count());

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "core/fit/population.h"
+#include "core/skin/model/reflectance_batch.h"
 #include "core/skin/profile/parameter_sampling.h"
 #include "core/skin/response_model.h"
 #include "tests/support/expect.h"
@@ -32,21 +33,13 @@ struct Errors {
 // The reduced response against the sum over the whole grid.
 Errors errorsOf(const SpectrumRows& rows, const std::vector<ParameterVector>& points) {
   const ResponseModel response(test::li2024(), rows);
-  std::array<std::vector<float>, kParameterCount> columns;
-  ParameterBatch<float> batch;
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    for (const ParameterVector& p : points) {
-      columns[k].push_back(static_cast<float>(p[static_cast<Eigen::Index>(k)]));
-    }
-    batch.values[k] = columns[k].data();
-  }
-  batch.count = points.size();
+  const PixelBuffer<float> parameters = parameterRows<float>(points);
   std::vector<std::vector<float>> out(static_cast<std::size_t>(rows.rows()),
                                       std::vector<float>(points.size()));
   std::vector<float*> pointers;
   for (auto& row : out)
     pointers.push_back(row.data());
-  response.evaluate(batch, pointers);
+  response.evaluate(parameters.rows(), pointers);
   Errors errors;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::VectorXd exact = rows.matrix() * test::li2024().reflectance(points[i]).matrix();

@@ -61,7 +61,7 @@ struct States {
   std::vector<double> thickness, epidermal, dermal;
 };
 
-class VariableLayersTest : public QObject {
+class FreeLayersTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -208,7 +208,7 @@ class VariableLayersTest : public QObject {
   }
 };
 
-CUTIS_TEST(VariableLayersTest)
+CUTIS_TEST(FreeLayersTest)
 
 }  // namespace
 }  // namespace cutis

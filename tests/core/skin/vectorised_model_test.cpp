@@ -39,21 +39,6 @@ std::vector<ParameterVector> testPoints() {
   return points;
 }
 
-template <typename T>
-struct Columns {
-  explicit Columns(const std::vector<ParameterVector>& points) {
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      for (const ParameterVector& p : points) {
-        columns[k].push_back(static_cast<T>(p[static_cast<Eigen::Index>(k)]));
-      }
-      batch.values[k] = columns[k].data();
-    }
-    batch.count = points.size();
-  }
-  std::array<std::vector<T>, kParameterCount> columns;
-  ParameterBatch<T> batch;
-};
-
 struct ModelErrors {
   double value = 0.0;
   double slope = 0.0;  // in units of 1e-4 · max(|∂R|, 1e-3)
@@ -63,17 +48,19 @@ template <typename T>
 ModelErrors errorsAgainstReference() {
   const CompiledModel nodes(profileModel(), wholeGrid());
   const std::vector<ParameterVector> points = testPoints();
-  const Columns<T> columns(points);
+  const PixelBuffer<T> parameters = parameterRows<T>(points);
   const std::size_t count = points.size();
   std::vector<T> value(count * kSampleCount), epidermal(value), dermal(value);
-  reflectanceBatch<T>(nodes, columns.batch, value.data(), epidermal.data(), dermal.data());
+  const auto rowsOf = [&](std::vector<T>& of) {
+    return packedRows(of.data(), kSampleCount, count);
+  };
+  reflectanceBatch<T>(nodes, parameters.rows(), rowsOf(value), rowsOf(epidermal), rowsOf(dermal));
   ModelErrors errors;
   for (std::size_t i = 0; i < count; ++i) {
     // The reference sees the rounded parameters: the kernel answers for its own arithmetic.
     ParameterVector p;
-    for (std::size_t k = 0; k < columns.columns.size(); ++k) {
-      p[static_cast<Eigen::Index>(k)] = columns.columns[k][i];
-    }
+    for (std::size_t k = 0; k < kParameterCount; ++k)
+      p[static_cast<Eigen::Index>(k)] = parameters[k][i];
     for (int s = 0; s < kSampleCount; ++s) {
       const LayerPair absorption = profileModel().absorption().at(s, p);
       const LayeredReflectance exact =
@@ -119,32 +106,40 @@ class VectorisedModelTest : public QObject {
   void aPixelDoesNotDependOnItsPlace() {
     const CompiledModel nodes(profileModel(), {20, 60, 100, 140, 180});
     const std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 37);
-    const Columns<float> columns(points);
-    std::vector<float> together(points.size() * 5);
-    reflectanceBatch<float>(nodes, columns.batch, together.data());
+    const PixelBuffer<float> parameters = parameterRows<float>(points);
+    PixelBuffer<float> together(5, points.size());
+    reflectanceBatch<float>(nodes, parameters.rows(), together.rows());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      ParameterBatch<float> one = columns.batch;
-      for (const float*& values : one.values)
-        values += i;
-      one.count = 1;
       float alone[5];
-      reflectanceBatch<float>(nodes, one, alone);
+      reflectanceBatch<float>(nodes, parameters.rows().part(i, 1), packedRows(alone, 5, 1));
       for (std::size_t n = 0; n < 5; ++n)
-        QCOMPARE(alone[n], together[n * points.size() + i]);
+        QCOMPARE(alone[n], together[n][i]);
+    }
+  }
+
+  // Rows that lie apart, in and out: what is between them is not touched.
+  void rowsMayLieApart() {
+    const CompiledModel nodes(profileModel(), {20, 60, 100});
+    const std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 40);
+    const PixelBuffer<float> parameters = parameterRows<float>(points);
+    PixelBuffer<float> whole(3, 40), part(3, 40);
+    reflectanceBatch<float>(nodes, parameters.rows(), whole.rows());
+    reflectanceBatch<float>(nodes, parameters.rows().part(7, 21), part.rows().part(7, 21));
+    for (std::size_t n = 0; n < 3; ++n) {
+      for (std::size_t i = 0; i < 40; ++i)
+        QCOMPARE(part[n][i], i >= 7 && i < 28 ? whole[n][i] : 0.0f);
     }
   }
 
   void notANumberStaysInItsPixel() {
     const CompiledModel nodes(profileModel(), {100});
     std::vector<ParameterVector> points = sampleBox(profileModel().profile().axes, 20);
-    std::vector<float> clean(points.size()), spoiled(points.size());
-    const Columns<float> columns(points);
-    reflectanceBatch<float>(nodes, columns.batch, clean.data());
+    PixelBuffer<float> clean(1, points.size()), spoiled(clean);
+    reflectanceBatch<float>(nodes, parameterRows<float>(points).rows(), clean.rows());
     points[7][kMelanin] = std::numeric_limits<double>::quiet_NaN();
-    const Columns<float> withNan(points);
-    reflectanceBatch<float>(nodes, withNan.batch, spoiled.data());
+    reflectanceBatch<float>(nodes, parameterRows<float>(points).rows(), spoiled.rows());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (i != 7) QCOMPARE(spoiled[i], clean[i]);
+      if (i != 7) QCOMPARE(spoiled[0][i], clean[0][i]);
     }
   }
 
