@@ -56,6 +56,8 @@ Rooms roomsAround(const Panel& panel, double areaWidth, const PlotTheme& theme,
                           areaWidth, theme, metrics);
   if (rooms.top > 0.0) rooms.top += 0.5 * theme.space;
   if (hasNamesAbove(panel)) rooms.top += metrics.height(theme.tick) + 2.0;
+  // The topmost number is centred at the upper edge.
+  if (hasWords(panel.y.ticks)) rooms.top = std::max(rooms.top, 0.5 * metrics.height(theme.tick));
   if (hasWords(panel.x.ticks)) rooms.bottom += kTickLength + metrics.height(theme.tick);
   if (hasTitle(panel.x, theme)) rooms.bottom += 0.5 * theme.space + metrics.height(theme.label);
   return rooms;
