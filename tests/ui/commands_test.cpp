@@ -104,6 +104,7 @@ class CommandsTest : public test::UiTest {
   }
 
   void quittingClosesTheWindow() {
+    activate();
     QTest::keyClick(window_.get(), Qt::Key_Q, Qt::ControlModifier);
     QVERIFY(!window_->isVisible());
   }
@@ -202,8 +203,14 @@ class CommandsTest : public test::UiTest {
     window_->edits().setFactor(kMelanin, 1.4, false);
     window_->edits().setFactor(kMelanin, 1.6, false);
     window_->document().undo();
+    activate();
     window_->viewport().setFocus();
     waitUntilIdle();
+  }
+  // A shortcut works in the window that is active, which a dialog was before.
+  void activate() {
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
   }
 
   test::ScratchFolder folder_;
