@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/maths
 
 // The lowest point of a quadratic within the unit box, for the five parameters and up to two more
 // coordinates.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to core/maths
 
 // The damping of Levenberg's steps: more of it where the quadratic promised too much, less where it
 // kept its word.
