@@ -311,9 +311,11 @@ std::optional<Document::PixelSpectra> Document::spectraAt(int x, int y) const {
   if (!original || !edited || !original.value().present.front()) return std::nullopt;
   PixelSpectra spectra;
   spectra.constants = constantsOf(scene_->model->profile());
+  const FreeConstants free = scene_->maps.free();
+  std::size_t row = kParameterCount;
   for (const SkinConstant constant : kSkinConstants) {
-    const std::vector<float>& own = original.value().constants[constant];
-    if (!own.empty()) spectra.constants[constant] = double{own.front()};
+    if (free.has(constant))
+      spectra.constants[constant] = double{original.value().values[row++].front()};
   }
   const auto reflectance = [&](const ParameterVector& parameters) {
     return scene_->spectra ? scene_->spectra->reflectance(parameters, spectra.constants)
