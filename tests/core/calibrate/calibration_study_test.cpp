@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kStudiedThickness = 0.21;
 constexpr double kStudiedShare = 0.03;
-constexpr int kPeople = 12;
+constexpr int kStudyPeople = 12;
 
 Profile withThickness(double thicknessMm) {
   Profile profile = test::li2024().profile();
@@ -35,7 +35,7 @@ MeasuredSpectra studiedSpectraOf(double fromNm, double toNm) {
   MeasuredSpectra spectra;
   for (double nm = fromNm; nm <= toNm; nm += 10.0)
     spectra.wavelengthsNm.push_back(nm);
-  for (const ParameterVector& person : drawPopulation(protocolPopulation(), kPeople, 9)) {
+  for (const ParameterVector& person : drawPopulation(protocolPopulation(), kStudyPeople, 9)) {
     spectra.ids.push_back(std::to_string(spectra.ids.size()));
     const Spectrum spectrum = model.reflectance(person);
     for (const double nm : spectra.wavelengthsNm) {

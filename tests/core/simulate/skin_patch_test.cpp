@@ -110,7 +110,7 @@ class SkinPatchTest : public QObject {
     const Patch other = simulate(kSize, kSize, 2);
     QVERIFY(!same(sample(), other));
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      QVERIFY(sample().values.values[k] != other.values.values[k]);
+      QVERIFY(!std::ranges::equal(sample().values.values[k], other.values.values[k]));
     }
   }
 
