@@ -3,8 +3,8 @@
 // Rows × pixels in memory: the one form in which channels, parameters and results of many pixels
 // are handed about, and the samples of a network with them.
 //
-// A row holds one value of every pixel (a channel, a parameter, the reflectance at a node); rows lie
-// `stride` elements apart, so that a part of the pixels is a view like the whole and nothing is
+// A row holds one value of every pixel (a channel, a parameter, the reflectance at a node); rows
+// lie `stride` elements apart, so that a part of the pixels is a view like the whole and nothing is
 // copied to narrow it. T is float or double, const where the rows are only read.
 //
 // PixelRows is plain data (core/skin/layers/node_constants.h says why): kernels read the members
@@ -33,9 +33,7 @@ struct PixelRows {
     return {data + first, rowCount, size, stride};
   }
 
-  operator PixelRows<const T>() const
-    requires(!std::is_const_v<T>)
-  {
+  operator PixelRows<const T>() const requires(!std::is_const_v<T>) {
     return {data, rowCount, count, stride};
   }
 };

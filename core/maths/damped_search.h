@@ -4,8 +4,8 @@
 // (core/fit/spectra/spectra_search.h) and for pixels with free constants
 // (core/fit/free/free_search.h) have in common.
 //
-// A search knows the normal equations of the best point so far, its base; the caller knows the point
-// itself and how a step leads on from it. Not thread-safe; each search is its own.
+// A search knows the normal equations of the best point so far, its base; the caller knows the
+// point itself and how a step leads on from it. Not thread-safe; each search is its own.
 
 #include <cstddef>
 #include <limits>
@@ -57,10 +57,8 @@ class DampedSearch {
     const BoundedStep<N> bounded = stepFrom(x, damping_.value());
     const bool disproved = damping_.value() >= rules_.disproof;
     // Damping shortens steps; only without it a small promise means that the end is reached.
-    converged_ =
-        bounded.decrease <= enough && (disproved || stepFrom(x, 0.0).decrease <= enough);
-    if (converged_ || ++rounds_ > rules_.maximumRounds ||
-        damping_.value() > rules_.mostDamping) {
+    converged_ = bounded.decrease <= enough && (disproved || stepFrom(x, 0.0).decrease <= enough);
+    if (converged_ || ++rounds_ > rules_.maximumRounds || damping_.value() > rules_.mostDamping) {
       return false;
     }
     promised_ = bounded.decrease;

@@ -34,11 +34,12 @@ bool isBeforeCode(const std::string& line) {
   return line.empty() || line.starts_with("#") || line.starts_with("namespace ") || named;
 }
 
-// The first comment before any code.
+// The first paragraph of the first comment before any code.
 std::vector<std::string> openingOf(const std::string& text) {
   std::vector<std::string> opening;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) {
+    if (line == "//" && !opening.empty()) break;
     if (isComment(line)) {
       opening.push_back(line);
     } else if (!opening.empty() || !isBeforeCode(line)) {
