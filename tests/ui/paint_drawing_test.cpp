@@ -151,6 +151,4 @@ CUTIS_TEST(PaintDrawingTest)
 }  // namespace
 }  // namespace cutis
 
-Q_DECLARE_METATYPE(cutis::Drawing)
-
 #include "paint_drawing_test.moc"

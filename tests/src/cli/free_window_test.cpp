@@ -15,17 +15,17 @@ namespace cutis::test {
 namespace {
 
 constexpr int kPatienceMs = 120000;
-constexpr int kMapsWidth = 40, kHeight = 24;
+constexpr int kMapsWidth = 40, kMapsHeight = 24;
 
 // Both constants vary over the picture.
 void giveConstants(MapsFile& file) {
   std::vector<float> oxygenation, thickness;
-  for (int i = 0; i < kMapsWidth * kHeight; ++i) {
+  for (int i = 0; i < kMapsWidth * kMapsHeight; ++i) {
     oxygenation.push_back(0.3f + 0.5f * static_cast<float>(i % kMapsWidth) / kMapsWidth);
-    thickness.push_back(0.25f + 0.2f * static_cast<float>(i / kMapsWidth) / kHeight);
+    thickness.push_back(0.25f + 0.2f * static_cast<float>(i / kMapsWidth) / kMapsHeight);
   }
-  file.maps.constants[kOxygenation] = planeOf(kMapsWidth, kHeight, oxygenation);
-  file.maps.constants[kThickness] = planeOf(kMapsWidth, kHeight, thickness);
+  file.maps.constants[kOxygenation] = planeOf(kMapsWidth, kMapsHeight, oxygenation);
+  file.maps.constants[kThickness] = planeOf(kMapsWidth, kMapsHeight, thickness);
 }
 
 class FreeWindowTest : public QObject {
@@ -57,8 +57,9 @@ class FreeWindowTest : public QObject {
     EXPECT_DONE(run_.run("render free.exr -o seen.exr --bit-depth float " + options));
     server_.setPicture({"A", "cie1931", ChromaticAdaptation::none, std::nullopt});
     std::shared_ptr<const ViewPart> part;
-    const auto watch = server_.watch(0, [&](const auto& served) { part = served; });
-    watch->want({static_cast<ViewKind>(view), {0, 0, kMapsWidth, kHeight}, 1});
+    const auto watch =
+        server_.watch(ViewPriority::detail, [&](const auto& served) { part = served; });
+    watch->want({static_cast<ViewKind>(view), {0, 0, kMapsWidth, kMapsHeight}, 1});
     QTRY_VERIFY_WITH_TIMEOUT(part != nullptr, kPatienceMs);
     const Image seen = run_.image("seen.exr");
     QCOMPARE(part->pixels.channels.size(), seen.channels.size());

@@ -345,7 +345,7 @@ class CaptureFileTest : public QObject {
   void onlyCapturesAreWrittenOver() {
     const Measurements written = simulated(8, 8);
     test::writeBytes(path("sub/letter.txt"), "dear");
-    EXPECT_ERROR(writeCapture(path("sub"), written, {}, {}), "other things than a capture");
+    EXPECT_ERROR(writeCapture(path("sub"), written, {}, {}), "something other than a capture");
     QVERIFY(fs::exists(path("sub/letter.txt")));
     EXPECT_ERROR(writeCapture(path("white.exr"), written, {}, {}), "there is a file of this name");
     EXPECT_ERROR(writeCapture(path("no/such/folder"), written, {}, {}), "cannot be created");
