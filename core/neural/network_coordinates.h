@@ -1,10 +1,11 @@
 #pragma once  // internal to core/neural
 
-// How networks see parameters: each as its position on the profile's table axis, from 0 to 1,
+// How networks see parameters: each as its position on the profile's table axis, from 0 to 1, in
+// which spectra vary about evenly.
 //
-//   coordinate = (C / C_max)^(1/exponent),
+//   coordinate = (C / C_max)^(1/exponent)
 //
-// in which spectra vary about evenly. Sigmoids reach the open interval, so every answer of an
+// Sigmoids reach the open interval, so every answer of an
 // encoder lies in the profile's box.
 
 #include <cstdint>

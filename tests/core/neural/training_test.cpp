@@ -138,7 +138,7 @@ class TrainingTest : public QObject {
     TrainingState state;
     state.network = randomNetwork({5, 7, 12}, Activation::relu, Activation::linear, 1);
     EXPECT_ERROR(trainSpectraNetwork(test::li2024(), test::sampledBasis(), options, state, {}),
-                 "SpectraNN: the state of training is of another network");
+                 "SpectraNN: the state of training belongs to another network");
     // One whose SpectraNN is not the one that ChromNN is to be trained through.
     const NetworkChannels channels = networkChannels(test::monitorRig());
     ChromophoreNetworkOptions quick = test::quickChromophoreOptions();

@@ -192,8 +192,8 @@ class AlbedoFileTest : public QObject {
     content.colorSpace = "Martian RGB";
     EXPECT_OK(writeImage(folder_.path("mars.exr"), content, SampleType::half, {}));
     EXPECT_ERROR(read(folder_.path("mars.exr")),
-                 "the file says that its colours are 'Martian RGB', which is not known; name them "
-                 "with --colorspace, for example Linear Rec.709");
+                 "the file says that its colours are 'Martian RGB', which is not known; name "
+                 "their colour space, for example Linear Rec.709");
     EXPECT_OK(read(folder_.path("mars.exr"), {.colorSpace = "ACEScg"}));
     EXPECT_ERROR(read(folder_.path("mars.exr"), {.colorSpace = "ACEScq"}),
                  "--colorspace: unknown colour space 'ACEScq'");
