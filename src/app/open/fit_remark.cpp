@@ -1,5 +1,7 @@
 #include "src/app/open/fit_remark.h"
 
+#include <algorithm>
+
 #include "core/analyse/diffusion_domain.h"
 #include "core/base/number_text.h"
 
@@ -11,8 +13,9 @@ constexpr double kExactResidual = 2e-4;
 // Of all pixels.
 constexpr double kMostNotSettled = 0.01;
 
+// "100 %", not "1e+02 %".
 std::string percent(double share, int digits) {
-  return formatNumber(100.0 * share, digits) + " %";
+  return formatNumber(100.0 * share, share < 0.995 ? digits : std::max(digits, 3)) + " %";
 }
 
 }  // namespace

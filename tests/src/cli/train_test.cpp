@@ -120,10 +120,10 @@ class TrainTest : public QObject {
   }
 
   void fiveChannelsFit() {
-    EXPECT_DONE(run_.run("fit cap -o nine.exr --profile li2024 --method network"));
-    EXPECT_DONE(
-        run_.run("fit cap -o five.exr --profile li2024 --method network --weights monitor-5 "
-                 "--report five.json"));
+    EXPECT_DONE(run_.run("fit cap -o nine.exr --profile li2024 --quiet --method network"));
+    EXPECT_DONE(run_.run(
+        "fit cap -o five.exr --profile li2024 --quiet --method network --weights monitor-5 "
+        "--report five.json"));
     QVERIFY(valuesOf(run_.maps("five.exr").maps.values[0]) !=
             valuesOf(run_.maps("nine.exr").maps.values[0]));
     const auto report = nlohmann::json::parse(run_.read("five.json"));
@@ -133,8 +133,8 @@ class TrainTest : public QObject {
                  "2000 --epochs 2 --table-step 997 -o own5.json"));
     const auto file = nlohmann::json::parse(run_.read("own5.json"));
     QCOMPARE(file["chrom_nn"]["inputs"].dump(), std::string("[\"r\",\"g\",\"b\",\"sb\",\"sg\"]"));
-    EXPECT_DONE(
-        run_.run("fit cap -o own5.exr --profile li2024 --method network --weights own5.json"));
+    EXPECT_DONE(run_.run(
+        "fit cap -o own5.exr --profile li2024 --quiet --method network --weights own5.json"));
   }
 
   void aSeedMakesTheSameBytes() {
@@ -155,13 +155,16 @@ class TrainTest : public QObject {
   }
 
   void builtInNetworksFit() {
-    EXPECT_DONE(run_.run("fit cap -o maps.exr --profile li2024 --method network --report r.json"));
+    EXPECT_DONE(
+        run_.run("fit cap -o maps.exr --profile li2024 --quiet --method network --report r.json"));
     const auto report = nlohmann::json::parse(run_.read("r.json"));
     QCOMPARE(report["method"].get<std::string>(), std::string("network"));
     QCOMPARE(report["pixels"]["no_convergence"].get<int>(), 0);
     EXPECT_AT_MOST(report["residual"]["mean"].get<double>(), 5e-3);
-    EXPECT_DONE(run_.run("fit cap -o white.exr --profile li2024 --method network --lights white"));
-    EXPECT_DONE(run_.run("fit cap -o again.exr --profile li2024 --method network --threads 1"));
+    EXPECT_DONE(
+        run_.run("fit cap -o white.exr --profile li2024 --quiet --method network --lights white"));
+    EXPECT_DONE(
+        run_.run("fit cap -o again.exr --profile li2024 --quiet --method network --threads 1"));
     QVERIFY(valuesOf(run_.maps("again.exr").maps.values[0]) ==
             valuesOf(run_.maps("maps.exr").maps.values[0]));
   }
@@ -169,7 +172,7 @@ class TrainTest : public QObject {
   void ownNetworksFit() {
     run_.writeImage("skin.exr", skinTexture(24, 16, {"R", "G", "B"}), SampleType::float32);
     EXPECT_DONE(
-        run_.run("fit skin.exr -o own.exr --profile li2024 --method network --weights "
+        run_.run("fit skin.exr -o own.exr --profile li2024 --quiet --method network --weights "
                  "weights.json"));
     QVERIFY(!run_.maps("own.exr").maps.values[0].empty());
   }
@@ -182,9 +185,11 @@ class TrainTest : public QObject {
       const char* sentence;
     };
     for (const auto& [line, status, sentence] : std::vector<Case>{
-             {"fit cap -o a.exr --profile li2024 --method network --weights weights.json", 3,
-              "--weights: the network was trained for other lights or another camera"},
-             {"fit cap -o a.exr --profile li2024 --method network --lights white,white+blue", 3,
+             {"fit cap -o a.exr --profile li2024 --quiet --method network --weights weights.json",
+              3, "--weights: the network was trained for other lights or another camera"},
+             {"fit cap -o a.exr --profile li2024 --quiet --method network --lights "
+              "white,white+blue",
+              3,
               "cutis-cli train --rig monitor --lights white,white+blue --profile li2024 -o "
               "WEIGHTS.json"},
              {"fit cap -o a.exr --method network --weights broken.json", 3, "broken.json:"},

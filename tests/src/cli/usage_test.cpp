@@ -52,7 +52,7 @@ const std::vector<Case> kCases = {
     {"apply a.cutis -o b.png", "a.cutis: projects are not in this version"},
     {"fit-spectra a.csv -o b.csv --specular both",
      "--specular: 'both' is unknown; choose included, excluded or cross-polarised"},
-    {"fit-spectra a.csv -o b.csv --range 400-700", "--range: '400-700' is no range"},
+    {"fit-spectra a.csv -o b.csv --range 400-700", "--range: '400-700' is not a range"},
     {"fit-spectra a.csv -o b.csv --range 700:400", "--range: '700:400' is empty"},
     {"fit-spectra a.csv -o b.csv --range 200:700", "--range: 200 is out of range"},
     {"spectrum --params 0,0,0,0,0 --specular-share 0.04",
