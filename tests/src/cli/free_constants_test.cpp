@@ -66,7 +66,7 @@ class FreeConstantsTest : public QObject {
     truth.maps.constants[kOxygenation] = planeOf(40, 24, std::vector<float>(960, 0.45f));
     EXPECT_OK(writeMaps(run_ / "truth.exr", truth, {}));
     EXPECT_DONE(run_.run("simulate truth.exr --rig rig.json --noise 0 -o cap"));
-    EXPECT_DONE(run_.run(QString("fit cap -o maps.exr --report fit.json") + kOptions));
+    EXPECT_DONE(run_.run(QString("fit cap -o maps.exr --quiet --report fit.json") + kOptions));
   }
 
   void theConstantComesBack() {
@@ -85,7 +85,7 @@ class FreeConstantsTest : public QObject {
   }
 
   void threadsChangeNothing() {
-    EXPECT_DONE(run_.run(QString("fit cap -o one.exr --threads 1") + kOptions));
+    EXPECT_DONE(run_.run(QString("fit cap -o one.exr --quiet --threads 1") + kOptions));
     QVERIFY(run_.read("one.exr") == run_.read("maps.exr"));
   }
 
