@@ -1,11 +1,13 @@
 #include "core/base/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <mutex>
 #include <new>
 #include <optional>
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -55,7 +57,9 @@ Status parallelFor(std::size_t count, const JobContext& context,
 }
 
 int parallelThreadCount() {
-  return tbb::this_task_arena::max_concurrency();
+  const auto allowed =
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return std::min(tbb::this_task_arena::max_concurrency(), static_cast<int>(allowed));
 }
 
 }  // namespace cutis

@@ -20,7 +20,7 @@ namespace cutis {
 Status parallelFor(std::size_t count, const JobContext& context,
                    const std::function<Status(std::size_t)>& work);
 
-// Cores the loops above may use.
+// Cores the loops above may use now; a tbb::global_control lowers it.
 int parallelThreadCount();
 
 }  // namespace cutis

@@ -101,7 +101,7 @@ Result<PictureFigures> fitPicture(const BenchSubject& subject, const Measurement
     figures.meanIterations = statistics.meanIterations;
     if (run == 0 && held) figures.memoryBytes = std::max(peakMemoryBytes(), *held) - *held;
   }
-  figures.threads = allowedThreads();
+  figures.threads = parallelThreadCount();
   return figures;
 }
 
@@ -173,12 +173,6 @@ Status runContent(const BenchSubject& subject, const Content& content, int size,
 
 }  // namespace
 
-int allowedThreads() {
-  const auto allowed =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return std::min(parallelThreadCount(), static_cast<int>(allowed));
-}
-
 Status runSizes(const BenchSubject& subject, const PictureSeries& series, MethodSolvers& solvers,
                 const JobContext& context, BenchFigures& figures) {
   const JobContext silent = {context.stop, {}, {}};
@@ -200,7 +194,7 @@ Status runScaling(const BenchSubject& subject, const PictureSeries& series, Meth
   const JobContext silent = {context.stop, {}, {}};
   CUTIS_TRY(picture, pictureOf(subject, kNoisy, series.scalingSize, silent));
   CUTIS_TRY(solver, solvers.solver(BenchMethod::refinedWide, kUsualNoise));
-  const int most = allowedThreads();
+  const int most = parallelThreadCount();
   for (int threads = 1;; threads = std::min(2 * threads, most)) {
     context.progress.report(static_cast<double>(threads) / most);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,

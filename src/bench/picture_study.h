@@ -30,7 +30,4 @@ Status runSizes(const BenchSubject& subject, const PictureSeries& series, Method
 Status runScaling(const BenchSubject& subject, const PictureSeries& series, MethodSolvers& solvers,
                   const JobContext& context, BenchFigures& figures);
 
-// Threads the loops may use now.
-int allowedThreads();
-
 }  // namespace cutis

@@ -13,15 +13,15 @@ Result<FreeMisfit<N>> FreeMisfit<N>::make(const SkinModel& model,
                                           const FreeConstants& free, double edgeLossPerMm,
                                           const JobContext& context) {
   assert(free.count() == N - kParameterCount);
-  MeasuredRows rows = measuredRows(wavelengthsNm);
+  GridInterpolation rows = gridInterpolation(wavelengthsNm);
   CUTIS_TRY(skin, FreeSkin::make(model, rows.samples, free, context, {edgeLossPerMm}));
   return FreeMisfit(model, std::move(rows), std::move(skin));
 }
 
 template <int N>
-FreeMisfit<N>::FreeMisfit(const SkinModel& model, MeasuredRows rows, FreeSkin skin)
-    : rows_(std::move(rows)), skin_(std::move(skin)) {
-  for (const int sample : rows_.samples)
+FreeMisfit<N>::FreeMisfit(const SkinModel& model, GridInterpolation rows, FreeSkin skin)
+    : grid_(std::move(rows)), skin_(std::move(skin)) {
+  for (const int sample : grid_.samples)
     slopes_.push_back(absorptionPerCoordinate(model, sample));
 }
 
@@ -52,7 +52,7 @@ FreeSpectra FreeMisfit<N>::evaluate(std::span<const Set> sets, bool derivatives)
 
 template <int N>
 Eigen::MatrixXd FreeMisfit<N>::spectra(std::span<const Set> sets) const {
-  return atMeasured(rows_.rows, evaluate(sets, false).reflectance, sets.size());
+  return interpolated(grid_.rows, evaluate(sets, false).reflectance, sets.size());
 }
 
 template <int N>
@@ -88,8 +88,8 @@ std::vector<EquationsOf<N>> FreeMisfit<N>::equations(
            slopes_[s][static_cast<std::size_t>(k)];
   };
   EquationSums<N> sums(count);
-  for (std::size_t w = 0; w < rows_.rows.size(); ++w) {
-    const MeasuredRow& row = rows_.rows[w];
+  for (std::size_t w = 0; w < grid_.rows.size(); ++w) {
+    const InterpolatedRow& row = grid_.rows[w];
     const double above = row.share, below = 1.0 - row.share;
     for (std::size_t i = 0; i < count; ++i) {
       sums.residual()[i] = measured[i][w] - (below * spectra.reflectance[row.lower * count + i] +

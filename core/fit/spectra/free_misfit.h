@@ -36,7 +36,7 @@ class FreeMisfit final : public SpectraMisfit<N> {
                                  const FreeConstants& free, double edgeLossPerMm,
                                  const JobContext& context);
 
-  std::size_t wavelengthCount() const override { return rows_.rows.size(); }
+  std::size_t wavelengthCount() const override { return grid_.rows.size(); }
   const ParameterAxes& axes() const override { return skin_.axes(); }
 
   // These convert between a set and the constants it stands for; what is not free is the profile's.
@@ -48,11 +48,11 @@ class FreeMisfit final : public SpectraMisfit<N> {
                                         std::span<const double* const> measured) const override;
 
  private:
-  FreeMisfit(const SkinModel& model, MeasuredRows rows, FreeSkin skin);
+  FreeMisfit(const SkinModel& model, GridInterpolation rows, FreeSkin skin);
 
   FreeSpectra evaluate(std::span<const Set> sets, bool derivatives) const;
 
-  MeasuredRows rows_;
+  GridInterpolation grid_;
   FreeSkin skin_;
   std::vector<std::vector<double>> slopes_;  // per coordinate, at the samples
 };

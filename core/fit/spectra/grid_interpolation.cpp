@@ -21,8 +21,8 @@ double shareAbove(double wavelengthNm) {
 
 }  // namespace
 
-MeasuredRows measuredRows(std::span<const double> wavelengthsNm) {
-  MeasuredRows measured;
+GridInterpolation gridInterpolation(std::span<const double> wavelengthsNm) {
+  GridInterpolation measured;
   std::vector<int>& samples = measured.samples;
   for (const double wavelength : wavelengthsNm) {
     samples.push_back(sampleBelow(wavelength));
@@ -31,7 +31,7 @@ MeasuredRows measuredRows(std::span<const double> wavelengthsNm) {
   std::sort(samples.begin(), samples.end());
   samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
   for (const double wavelength : wavelengthsNm) {
-    MeasuredRow row;
+    InterpolatedRow row;
     const auto at = std::lower_bound(samples.begin(), samples.end(), sampleBelow(wavelength));
     row.lower = static_cast<std::size_t>(at - samples.begin());
     row.share = shareAbove(wavelength);
@@ -41,11 +41,11 @@ MeasuredRows measuredRows(std::span<const double> wavelengthsNm) {
   return measured;
 }
 
-Eigen::MatrixXd atMeasured(const std::vector<MeasuredRow>& rows, const std::vector<double>& values,
-                           std::size_t count) {
+Eigen::MatrixXd interpolated(const std::vector<InterpolatedRow>& rows,
+                             const std::vector<double>& values, std::size_t count) {
   Eigen::MatrixXd spectra(rows.size(), count);
   for (std::size_t w = 0; w < rows.size(); ++w) {
-    const MeasuredRow& row = rows[w];
+    const InterpolatedRow& row = rows[w];
     for (std::size_t i = 0; i < count; ++i) {
       spectra(static_cast<Eigen::Index>(w), static_cast<Eigen::Index>(i)) =
           (1.0 - row.share) * values[row.lower * count + i] +

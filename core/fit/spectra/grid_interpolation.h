@@ -12,22 +12,22 @@
 namespace cutis {
 
 // A wavelength between two of the samples, or at one (both the same).
-struct MeasuredRow {
+struct InterpolatedRow {
   std::size_t lower = 0;
   std::size_t upper = 0;
   double share = 0.0;  // of the upper
 };
 
-struct MeasuredRows {
-  std::vector<int> samples;       // positions on the grid that are needed, increasing
-  std::vector<MeasuredRow> rows;  // one a wavelength; lower and upper count in `samples`
+struct GridInterpolation {
+  std::vector<int> samples;           // positions on the grid that are needed, increasing
+  std::vector<InterpolatedRow> rows;  // one a wavelength; lower and upper count in `samples`
 };
 
 // wavelengthsNm: increasing, within the grid.
-MeasuredRows measuredRows(std::span<const double> wavelengthsNm);
+GridInterpolation gridInterpolation(std::span<const double> wavelengthsNm);
 
 // Spectra at the measured wavelengths, one a column, of values at the samples: [sample][spectrum].
-Eigen::MatrixXd atMeasured(const std::vector<MeasuredRow>& rows, const std::vector<double>& values,
-                           std::size_t count);
+Eigen::MatrixXd interpolated(const std::vector<InterpolatedRow>& rows,
+                             const std::vector<double>& values, std::size_t count);
 
 }  // namespace cutis

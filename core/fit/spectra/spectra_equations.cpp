@@ -20,10 +20,10 @@ SpectralMisfit<N>::SpectralMisfit(const SkinModel& model, std::span<const double
                                   double edgeLossPerMm)
     : model_(model),
       instrument_(model, {0.0, 1.0, edgeLossPerMm}),
-      measuredRows_(measuredRows(wavelengthsNm)) {
+      grid_(gridInterpolation(wavelengthsNm)) {
   assert(parameterCount(model.profile()) == N);
-  if (N == kParameterCount && edgeLossPerMm == 0.0) compiled_.emplace(model, measuredRows_.samples);
-  for (const int sample : measuredRows_.samples)
+  if (N == kParameterCount && edgeLossPerMm == 0.0) compiled_.emplace(model, grid_.samples);
+  for (const int sample : grid_.samples)
     slopes_.push_back(absorptionPerCoordinate(model, sample));
 }
 
@@ -73,7 +73,7 @@ void SpectralMisfit<N>::evaluateSingly(std::span<const Point> points, SampleValu
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::array<double, N> parameters = parametersAt(points[i]);
     for (std::size_t s = 0; s < slopes_.size(); ++s) {
-      const int sample = measuredRows_.samples[s];
+      const int sample = grid_.samples[s];
       const LayerPair absorption = model_.absorption().at(sample, parameters);
       const LayeredReflectance layered =
           instrument_.evaluate(sample, absorption.epidermal, absorption.dermal);
@@ -88,7 +88,7 @@ void SpectralMisfit<N>::evaluateSingly(std::span<const Point> points, SampleValu
 
 template <int N>
 Eigen::MatrixXd SpectralMisfit<N>::spectra(std::span<const Point> points) const {
-  return atMeasured(measuredRows_.rows, evaluate(points, false).reflectance, points.size());
+  return interpolated(grid_.rows, evaluate(points, false).reflectance, points.size());
 }
 
 template <int N>
@@ -98,8 +98,8 @@ std::vector<EquationsOf<N>> SpectralMisfit<N>::equations(
   const auto [reflectance, perEpidermal, perDermal] = evaluate(points, true);
 
   EquationSums<N> sums(count);
-  for (std::size_t w = 0; w < measuredRows_.rows.size(); ++w) {
-    const MeasuredRow& row = measuredRows_.rows[w];
+  for (std::size_t w = 0; w < grid_.rows.size(); ++w) {
+    const InterpolatedRow& row = grid_.rows[w];
     const double above = row.share, below = 1.0 - row.share;
     const std::size_t lower = row.lower * count, upper = row.upper * count;
     double* residual = sums.residual();

@@ -42,7 +42,7 @@ class SpectralMisfit final : public SpectraMisfit<N> {
   SpectralMisfit(const SkinModel& model, std::span<const double> wavelengthsNm,
                  double edgeLossPerMm = 0.0);
 
-  std::size_t wavelengthCount() const override { return measuredRows_.rows.size(); }
+  std::size_t wavelengthCount() const override { return grid_.rows.size(); }
   const ParameterAxes& axes() const override { return model_.profile().axes; }
   // In their units.
   std::array<double, N> parametersAt(const Point& point) const;
@@ -61,7 +61,7 @@ class SpectralMisfit final : public SpectraMisfit<N> {
 
   const SkinModel& model_;
   InstrumentModel instrument_;  // its edge loss alone
-  MeasuredRows measuredRows_;
+  GridInterpolation grid_;
   std::optional<CompiledModel> compiled_;    // at the samples of the rows
   std::vector<std::vector<double>> slopes_;  // per coordinate, at the samples
 };

@@ -1,10 +1,8 @@
 #include "src/cli/commands/fit_report.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
-#include <tbb/global_control.h>
 
 #include "core/base/instruction_set.h"
 #include "core/base/parallel.h"
@@ -16,12 +14,6 @@ namespace cutis {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-int threadsUsed() {
-  const auto allowed =
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return std::min(parallelThreadCount(), static_cast<int>(allowed));
-}
 
 Json pixelCounts(const FitStatistics::Pixels& pixels) {
   return {{"total", pixels.total},
@@ -78,7 +70,7 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
   if (fitted.source->surface.specularShare > 0.0)
     root["specular_share"] = fitted.source->surface.specularShare;
   if (!fitted.constants.empty()) root["free"] = freeFigures(fitted.constants);
-  root["threads"] = threadsUsed();
+  root["threads"] = parallelThreadCount();
   root["isa"] = instructionSetName();
   root["peak_memory_bytes"] = peakMemoryBytes();
   return writeTextAtomically(

@@ -143,7 +143,11 @@ class ParallelTest : public QObject {
     QCOMPARE(calls.load(), 400);
   }
 
-  void thereIsAtLeastOneThread() { QVERIFY(parallelThreadCount() >= 1); }
+  void thereIsAtLeastOneThread() {
+    QVERIFY(parallelThreadCount() >= 1);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    QCOMPARE(parallelThreadCount(), 1);
+  }
 };
 
 CUTIS_TEST(ParallelTest)

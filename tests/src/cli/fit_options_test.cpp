@@ -20,6 +20,24 @@ class FitOptionsTest : public QObject {
  private Q_SLOTS:
   void initTestCase() { EXPECT_DONE(run_.run("simulate --patch 48x32 --noise 0.005 -o cap")); }
 
+  // The sample is dark skin in places, where scattering no longer outweighs absorption.
+  void outsideOfDiffusionIsSaid() {
+    const auto diffusion = run_.run("fit cap -o diffusion.exr --profile li2024 --report d.json");
+    QCOMPARE(diffusion.status, 0);
+    QVERIFY2(
+        diffusion.errors.find("absorbs more visible light than it scatters") != std::string::npos,
+        diffusion.errors.c_str());
+    const double share =
+        nlohmann::json::parse(run_.read("d.json"))["outside_diffusion_share"].get<double>();
+    QVERIFY(share > 0.05 && share <= 1.0);
+    const auto info = run_.run("info diffusion.exr");
+    QVERIFY2(info.output.find("outside diffusion's domain") != std::string::npos,
+             info.output.c_str());
+    // Radiative transfer holds everywhere.
+    EXPECT_DONE(run_.run("fit cap -o transfer.exr --profile skin2026 --report t.json"));
+    QVERIFY(!nlohmann::json::parse(run_.read("t.json")).contains("outside_diffusion_share"));
+  }
+
   void shadingIsWrittenBesideTheMaps() {
     EXPECT_DONE(run_.run("fit cap -o shaded.exr --shading"));
     const MapsFile maps = run_.maps("shaded.exr");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/instruction_set.h"
+#include "core/base/parallel.h"
 #include "src/bench/error_study.h"
 #include "src/bench/network_study.h"
 #include "src/bench/picture_study.h"
@@ -146,7 +147,7 @@ Status runBenchCommand(const BenchCommand& command, Session& session) {
   figures.version = CUTIS_VERSION;
   figures.processor = processorName();
   figures.instructionSet = instructionSetName();
-  figures.threads = allowedThreads();
+  figures.threads = parallelThreadCount();
   figures.profile = model->profile().name;
   figures.rig = rig.name;
   figures.pixels = subject.pixels;
