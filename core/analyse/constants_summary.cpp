@@ -1,21 +1,17 @@
 #include "core/analyse/constants_summary.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <span>
 
 #include "core/analyse/pixel_sample.h"
 #include "core/fit/free/free_prior.h"
+#include "core/maths/quantile.h"
 
 namespace cutis {
 namespace {
 
 constexpr std::size_t kSummarisedPixels = 16384;
-
-double quantile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-}
 
 // values, deviations: one a pixel, at least one.
 ConstantSummary summaryOf(SkinConstant constant, const FreePrior& prior, std::vector<double> values,
@@ -27,11 +23,9 @@ ConstantSummary summaryOf(SkinConstant constant, const FreePrior& prior, std::ve
     open.push_back(double{deviations[i]} / prior.deviation(constant, values[i]));
   summary.mean =
       std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  std::sort(values.begin(), values.end());
-  std::sort(open.begin(), open.end());
-  summary.low = quantile(values, 0.05);
-  summary.high = quantile(values, 0.95);
-  summary.openShare = quantile(open, 0.5);
+  summary.low = quantileOf(values, 0.05);
+  summary.high = quantileOf(values, 0.95);
+  summary.openShare = quantileOf(open, 0.5);
   return summary;
 }
 

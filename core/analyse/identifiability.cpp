@@ -8,6 +8,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/parallel.h"
+#include "core/maths/decompositions.h"
 
 namespace cutis {
 namespace {
@@ -40,7 +41,7 @@ ParameterMatrix informationOf(const MatrixXd& j, const VectorXd& channels, const
   }
   const MatrixXd combined = set.combination * j;
   const MatrixXd covariance = set.combination * variance.asDiagonal() * set.combination.transpose();
-  return combined.transpose() * covariance.ldlt().solve(combined);
+  return combined.transpose() * solvePositive(covariance, combined);
 }
 
 // Rows and columns measured in the prior's deviations: parameters differ by orders of magnitude.

@@ -1,21 +1,11 @@
 #include "core/analyse/maps_summary.h"
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
+#include "core/maths/quantile.h"
 #include "core/skin/pixel_state.h"
 
 namespace cutis {
-namespace {
-
-float quantileOf(std::vector<float>& values, double share) {
-  const auto at = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-}  // namespace
 
 Result<StateCounts> countStates(const Plane& state) {
   StateCounts counts = {};

@@ -8,6 +8,7 @@
 // own functions are assertions, never Results.
 
 #include <cassert>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -38,37 +39,7 @@ struct Cancelled {};
 using Failure = std::variant<Error, Cancelled>;
 
 template <typename T>
-class [[nodiscard]] Result {
- public:
-  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
-  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
-  Result(Cancelled) : state_(std::in_place_index<2>) {}
-  Result(Failure failure) : state_(std::in_place_index<2>) {
-    if (auto* error = std::get_if<Error>(&failure)) state_.template emplace<1>(std::move(*error));
-  }
-
-  explicit operator bool() const { return state_.index() == 0; }
-  bool failed() const { return state_.index() == 1; }
-  bool cancelled() const { return state_.index() == 2; }
-
-  // Precondition: holds a value.
-  T& value() & { return std::get<0>(state_); }
-  const T& value() const& { return std::get<0>(state_); }
-  T&& value() && { return std::get<0>(std::move(state_)); }
-
-  // Precondition: failed().
-  const Error& error() const { return std::get<1>(state_); }
-
-  // Precondition: holds no value.
-  Failure failure() const {
-    assert(state_.index() != 0);
-    if (failed()) return error();
-    return Cancelled{};
-  }
-
- private:
-  std::variant<T, Error, Cancelled> state_;
-};
+class Result;
 
 // A Result without a value: `return {};` means done.
 template <>
@@ -96,6 +67,36 @@ class [[nodiscard]] Result<void> {
 };
 
 using Status = Result<void>;
+
+// A value, or the Status that says why there is none. (Not one variant of all three: that is
+// compiled anew for every type of value, which was a twentieth of a whole build.)
+template <typename T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : value_(std::in_place, std::move(value)) {}
+  Result(Error error) : status_(std::move(error)) {}
+  Result(Cancelled cancelled) : status_(cancelled) {}
+  Result(Failure failure) : status_(std::move(failure)) {}
+
+  explicit operator bool() const { return value_.has_value(); }
+  bool failed() const { return status_.failed(); }
+  bool cancelled() const { return status_.cancelled(); }
+
+  // Precondition: holds a value.
+  T& value() & { return *value_; }
+  const T& value() const& { return *value_; }
+  T&& value() && { return *std::move(value_); }
+
+  // Precondition: failed().
+  const Error& error() const { return status_.error(); }
+
+  // Precondition: holds no value.
+  Failure failure() const { return status_.failure(); }
+
+ private:
+  std::optional<T> value_;
+  Status status_;
+};
 
 inline Error usageError(std::string place, std::string message) {
   return {ErrorKind::usage, std::move(place), std::move(message)};

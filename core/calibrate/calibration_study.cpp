@@ -18,7 +18,7 @@ namespace cutis {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-// Of a constant: its interval is rarely narrower.
+// The narrowest interval that a constant usually has.
 constexpr int kDigits = 3;
 constexpr int kPriorDigits = 4;
 // Which of the random sequences.

@@ -58,7 +58,7 @@ struct CalibrationStudy {
 };
 
 struct ConstantFigures {
-  double value = 0.0;            // rounded: the spectra tell no more digits
+  double value = 0.0;            // rounded: the spectra determine no more digits
   double low = 0.0, high = 0.0;  // 5 and 95 % of the bootstraps; NaN without
 };
 

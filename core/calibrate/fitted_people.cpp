@@ -88,7 +88,7 @@ class SpectrumTerm {
 
   // How the person follows: what moves the slopes of the misfit by `slopes`, one column each, back
   // to where they are. The misfit's second derivatives count in full: along a valley, where spectra
-  // hardly tell, they are all there is.
+  // say little, they are all there is.
   MatrixXd following(const PointModel& model, const Linearisation& at, const MatrixXd& slopes,
                      const std::vector<Index>& fitted) const {
     const VectorXd slope = slopeOf(at, fitted);

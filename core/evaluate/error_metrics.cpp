@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/maths/quantile.h"
 
 namespace cutis {
 namespace {
@@ -23,15 +24,6 @@ double meanSquare(const SpectraView& a, const SpectraView& b, Eigen::Index pixel
   const auto difference = a.col(pixel).segment(band.first, band.count()) -
                           b.col(pixel).segment(band.first, band.count());
   return difference.squaredNorm() / band.count();
-}
-
-// The value below which `share` of all lie.
-double quantile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0.0;
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 ParameterVector estimateAt(std::span<const float> estimates, std::size_t count, std::size_t i) {
@@ -59,10 +51,10 @@ ErrorSummary summarise(std::span<const PixelError> errors) {
     underIncandescent.push_back(error.deltaE_A);
   }
   summary.parameterRmse = summary.parameterRmse.sqrt().eval();
-  summary.medianDeltaE_D65 = quantile(underDaylight, 0.5);
-  summary.deltaE95_D65 = quantile(underDaylight, 0.95);
-  summary.medianDeltaE_A = quantile(underIncandescent, 0.5);
-  summary.deltaE95_A = quantile(underIncandescent, 0.95);
+  summary.medianDeltaE_D65 = quantileOf(underDaylight, 0.5);
+  summary.deltaE95_D65 = quantileOf(underDaylight, 0.95);
+  summary.medianDeltaE_A = quantileOf(underIncandescent, 0.5);
+  summary.deltaE95_A = quantileOf(underIncandescent, 0.95);
   return summary;
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/fit/pixel_grouping.h"
 #include "core/fit/tile_order.h"
+#include "core/maths/quantile.h"
 
 namespace cutis {
 namespace {
@@ -232,9 +233,7 @@ FitStatistics combine(const std::vector<TileResult>& tiles) {
   if (!residuals.empty()) {
     const auto count = static_cast<double>(residuals.size());
     total.meanResidual = std::accumulate(residuals.begin(), residuals.end(), 0.0) / count;
-    const auto at = residuals.begin() + static_cast<std::ptrdiff_t>(0.95 * (count - 1.0));
-    std::nth_element(residuals.begin(), at, residuals.end());
-    total.residual95 = *at;
+    total.residual95 = quantileOf(residuals, 0.95);
   }
   return total;
 }

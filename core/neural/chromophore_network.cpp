@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/base/random.h"
+#include "core/maths/decompositions.h"
 #include "core/neural/spectra_batch.h"
 #include "core/neural/training_options.h"
 #include "core/skin/profile/profile_signature.h"
@@ -72,10 +71,10 @@ DenseLayer whitening(const MatrixXd& logInputs) {
   const Eigen::RowVectorXd mean = logInputs.colwise().mean();
   const MatrixXd centred = logInputs.rowwise() - mean;
   const MatrixXd covariance = centred.transpose() * centred / static_cast<double>(logInputs.rows());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(covariance);
+  const SymmetricEigen eigen = symmetricEigen(covariance);
   const VectorXd scale =
-      (eigen.eigenvalues().array().max(0.0) + kLeastDeviation * kLeastDeviation).rsqrt();
-  const MatrixXd matrix = scale.asDiagonal() * eigen.eigenvectors().transpose();
+      (eigen.values.array().max(0.0) + kLeastDeviation * kLeastDeviation).rsqrt();
+  const MatrixXd matrix = scale.asDiagonal() * eigen.vectors.transpose();
   return linearLayer(matrix, -matrix * mean.transpose());
 }
 

@@ -4,9 +4,8 @@
 #include <cassert>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
-
 #include "core/base/parallel.h"
+#include "core/maths/decompositions.h"
 #include "core/neural/spectra_batch.h"
 
 namespace cutis {
@@ -85,16 +84,15 @@ SpectraBasis basisOf(const std::vector<SpectraSums>& parts, const TableWalk& wal
   }
   const auto count = static_cast<double>(walk.count);
   first /= count;
-  // The eigensolver reads the lower triangle only.
   const Eigen::MatrixXd covariance = second / count - first * first.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(covariance);
+  const SymmetricEigen eigen = symmetricEigen(covariance);
 
   SpectraBasis basis;
   basis.spectra = walk.count;
   basis.mean = (walk.reference + first).array();
   // Eigenvalues increase; rounding may leave the least of them below zero.
-  basis.variances = eigen.eigenvalues().reverse().cwiseMax(0.0);
-  basis.components = eigen.eigenvectors().rowwise().reverse().leftCols(kMaximumComponents);
+  basis.variances = eigen.values.reverse().cwiseMax(0.0);
+  basis.components = eigen.vectors.rowwise().reverse().leftCols(kMaximumComponents);
   for (Index k = 0; k < basis.components.cols(); ++k) {
     Index largest = 0;
     basis.components.col(k).cwiseAbs().maxCoeff(&largest);

@@ -15,7 +15,7 @@ namespace cutis {
 
 class SkinSpectra {
  public:
-  // Of a profile without free constants, or with those that are free in maps: then it takes as long
+  // For a profile without free constants, or with those that are free in maps: then it takes as long
   // as FreeSkin::make at all wavelengths, some seconds. Errors: those of FreeSkin::make, none where
   // nothing is free.
   static Result<SkinSpectra> make(std::shared_ptr<const SkinModel> model, const FreeConstants& free,

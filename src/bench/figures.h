@@ -156,7 +156,7 @@ const MethodFigures* figuresOf(const std::vector<MethodFigures>& all, BenchMetho
 // Pixels a side of the pictures that the paper and our own goals speak of.
 inline constexpr int kUsualSize = 2048;
 
-// The picture of uncorrelated pixels to tell a method's speed by: the largest up to kUsualSize that
+// The picture of uncorrelated pixels that a method's speed is quoted for: the largest up to kUsualSize that
 // was run, else one that was scaled; none if there is none.
 const PictureFigures* largestPicture(const BenchFigures& figures, BenchMethod method);
 // How many times as many pixels kUsualSize has.

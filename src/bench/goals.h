@@ -26,7 +26,7 @@ struct Goal {
   bool isMet() const { return !(least && !(reached >= *least)) && !(most && !(reached <= *most)); }
 };
 
-// Those that the figures tell something about. Times of pictures of 2048² pixels are scaled from
+// Those that the figures say something about. Times of pictures of 2048² pixels are scaled from
 // the largest that was run where that was smaller.
 std::vector<Goal> goalsOf(const BenchFigures& figures);
 

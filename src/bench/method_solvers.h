@@ -34,7 +34,7 @@ class MethodSolvers {
   }
   bool has(BenchMethod method) const { return method != BenchMethod::network || network_; }
 
-  // noise: what a refined fit is told, proportional; 0 for the rig's own. Precondition:
+  // noise: what a refined fit assumes, proportional; 0 for the rig's own. Precondition:
   // has(method).
   Result<std::shared_ptr<const PixelSolver>> solver(BenchMethod method, double noise,
                                                     bool caroteneFixed = false);

@@ -21,7 +21,7 @@ struct PictureSeries {
 
 // Pixels that have nothing to do with their neighbours, of the protocol's population, and the
 // sample; noise kUsualNoise, and none for the exact setting. The time is that of the fit
-// stage of a fit, the fastest of three runs for the network and the refined fits that are told the
+// stage of a fit, the fastest of three runs for the network and the refined fits that know the
 // noise; the memory is that of the first. Both need methods.
 
 // sizes, and firstPicture at the largest size that is not beyond 2048.

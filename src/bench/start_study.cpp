@@ -32,7 +32,7 @@ const char* startNameOf(Start start) {
   return "";
 }
 
-// The fit from one kind of start, told the usual noise, with the profile's own prior.
+// The fit from one kind of start, with the usual noise, with the profile's own prior.
 class StartedBy {
  public:
   // network: for Start::network.

@@ -57,7 +57,7 @@ struct Image : ImageHeader {
 Result<ImageHeader> readImageHeader(const std::filesystem::path& path, const JobContext& context);
 
 struct ImageReadOptions {
-  // Of the planes; none: what holds the file's samples without loss, half for halves and else
+  // The format of the planes; none: what holds the file's samples without loss, half for halves and else
   // float. A half plane holds 8 bits well enough for display only: v / 255 is not a half.
   std::optional<PixelFormat> format = {};
   // Looks at the header before any pixel is read; what it objects to is the reader's error. May be

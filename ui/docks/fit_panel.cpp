@@ -33,10 +33,10 @@ FitPanel::FitPanel(QWidget* parent)
   addForm();
   addOffer();
 
-  const auto tell = [this] { Q_EMIT changed(choice()); };
-  connect(profile_, &QComboBox::activated, this, tell);
-  connect(method_, &QComboBox::activated, this, tell);
-  connect(shading_, &QCheckBox::clicked, this, tell);
+  const auto notify = [this] { Q_EMIT changed(choice()); };
+  connect(profile_, &QComboBox::activated, this, notify);
+  connect(method_, &QComboBox::activated, this, notify);
+  connect(shading_, &QCheckBox::clicked, this, notify);
   connect(load_, &QPushButton::clicked, this, &FitPanel::loadWanted);
   show({}, Subject::photographs);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 // Choice of light and observer, or of one of the bands outside the visible. Those are marked: they
-// are radiometric, and extrapolated from what visible light has told.
+// are radiometric, and extrapolated from what visible light has shown.
 
 #include <QVector>
 #include <QWidget>

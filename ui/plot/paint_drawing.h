@@ -24,7 +24,7 @@ class PaintFonts : public TextMetrics {
   double ascent(const TextStyle& style) const override;
   double descent(const TextStyle& style) const override;
 
-  // Of an em of the font itself, pixels.
+  // The size of an em of the font itself, in pixels.
   double baseSize() const { return baseSize_; }
   const QFont& font() const { return font_; }
   const QFont& fontOf(const TextStyle& style) const { return setOf(style).font; }

@@ -14,7 +14,7 @@ namespace cutis {
 
 class PanelView {
  public:
-  // Of the window, for a font. Valid until another font is asked for.
+  // The window's theme for a font. Valid until another font is asked for.
   const PlotTheme& themeFor(const QFont& font);
 
   PanelLayout layOut(const Panel& panel, const QRectF& outside, const QFont& font);

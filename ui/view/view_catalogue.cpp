@@ -16,7 +16,7 @@ QString textOf(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-// Of one of the parameters, in its unit.
+// A view of one of the parameters, in its unit.
 LayerDescription mapOf(ViewKind kind, const QString& name, const QString& toolTip) {
   LayerDescription map;
   map.kind = kind;

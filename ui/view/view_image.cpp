@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/maths/quantile.h"
 #include "core/spectra/colorimetry.h"
 
 namespace cutis {
@@ -85,12 +86,8 @@ DisplayRange rangeOf(const ViewPart& part) {
     }
   }
   if (values.empty()) return {};
-  const auto nearlyAll =
-      values.begin() +
-      static_cast<std::ptrdiff_t>(kShareBelowMaximum * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nearlyAll, values.end());
   constexpr double kSmallestRange = 1e-4;
-  return {0.0, roundUp(std::max(double{*nearlyAll}, kSmallestRange))};
+  return {0.0, roundUp(std::max(double{quantileOf(values, kShareBelowMaximum)}, kSmallestRange))};
 }
 
 }  // namespace cutis

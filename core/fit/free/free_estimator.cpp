@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <Eigen/Cholesky>
-
+#include "core/maths/decompositions.h"
 #include "core/maths/weighted_sums.h"
 
 namespace cutis {
@@ -171,8 +170,7 @@ auto FreeEstimator<N>::linearise(std::span<const Point> points, std::span<const 
 template <int N>
 void FreeEstimator<N>::deviationsAt(const Point& point, const EquationsOf<N>& equations,
                                     double* deviations) const {
-  using Matrix = Eigen::Matrix<double, N, N>;
-  const Matrix covariance = equations.hessian.ldlt().solve(Matrix::Identity());
+  const Eigen::Matrix<double, N, N> covariance = inverseOfPositive<N>(equations.hessian);
   double values[N];
   valuesOf(point, values);
   const FreeCoordinates& coordinates = problem_.channels->skin().coordinates();

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "core/fit/assumed_noise.h"
 #include "core/fit/coordinate_prior.h"
+#include "core/maths/decompositions.h"
 
 namespace cutis {
 namespace {
@@ -40,7 +39,7 @@ ParameterVector MapEstimator::stepWithinBox(const ParameterMatrix& hessian,
       system(i, i) = 1.0;
       right[i] = step[i];
     }
-    step = system.ldlt().solve(right).array();
+    step = solvePositive<kParameterCount>(system, right).array();
     bool crossed = false;
     for (int i = 0; i < kParameterCount; ++i) {
       const double target = x[i] + step[i];
@@ -198,7 +197,7 @@ Estimate MapEstimator::solve(const VectorXd& channels, const ParameterVector& st
       hessian(i, i) = 1.0;
     }
   }
-  estimate.covariance = hessian.ldlt().solve(ParameterMatrix::Identity());
+  estimate.covariance = inverseOfPositive<kParameterCount>(hessian);
   for (int i = 0; i < kParameterCount; ++i) {
     const double deviation = std::sqrt(std::max(0.0, estimate.covariance(i, i)));
     estimate.deviations[i] = isLog(i) ? deviation * estimate.parameters[i] : deviation;

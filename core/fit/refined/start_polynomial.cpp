@@ -4,12 +4,10 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include "core/base/random.h"
 #include "core/fit/coordinate_prior.h"
 #include "core/fit/population.h"
+#include "core/maths/decompositions.h"
 #include "core/skin/model/reflectance_batch.h"
 
 namespace cutis {
@@ -103,14 +101,14 @@ VectorXd startTerms(const VectorXd& component) {
 void fitProjection(const MatrixXd& logChannels, StartPolynomial& polynomial) {
   const Eigen::RowVectorXd mean = logChannels.colwise().mean();
   const MatrixXd centred = logChannels.rowwise() - mean;
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(centred.transpose() * centred /
-                                                      static_cast<double>(kPixels));
+  const SymmetricEigen eigen =
+      symmetricEigen(centred.transpose() * centred / static_cast<double>(kPixels));
   const Index channelCount = logChannels.cols();
   for (Index c = 0; c < std::min<Index>(kStartComponents, channelCount); ++c) {
     const Index column = channelCount - 1 - c;  // eigenvalues increase
-    const double variance = eigen.eigenvalues()[column];
+    const double variance = eigen.values[column];
     if (variance < 1e-12) continue;
-    const VectorXd direction = eigen.eigenvectors().col(column) / std::sqrt(variance);
+    const VectorXd direction = eigen.vectors.col(column) / std::sqrt(variance);
     for (Index k = 0; k < channelCount; ++k) {
       polynomial.projection[c][k] = static_cast<float>(direction[k]);
     }
@@ -155,7 +153,7 @@ void fitCoefficients(const MatrixXd& logChannels, const MatrixXd& targets,
     const auto p = static_cast<std::size_t>(piece);
     // A little ridge: with three channels one component is empty and its terms are zero.
     grams[p].diagonal().array() += 1e-6 * static_cast<double>(logChannels.rows());
-    const MatrixXd solution = grams[p].selfadjointView<Eigen::Lower>().ldlt().solve(crosses[p]);
+    const MatrixXd solution = solvePositive(grams[p], crosses[p]);
     for (int k = 0; k < kParameterCount; ++k) {
       for (Index t = 0; t < kStartTerms; ++t) {
         polynomial.coefficients[piece][k][t] = static_cast<float>(solution(t, k));

@@ -4,7 +4,7 @@
 // thickness of the epidermis, or both, found for each spectrum beside the five parameters.
 //
 // Oxygenation lies in 0 to 1, thickness in thicknessRange() of the profile. There is no prior:
-// where a spectrum does not tell them apart from the parameters, they end wherever the misfit is
+// where a spectrum cannot separate them from the parameters, they end wherever the misfit is
 // lowest, at a bound as a rule. Never a larger misfit than with the profile's own constants, but
 // for the error of core/skin/free/free_layers.h. A result depends on its own spectrum alone and is
 // the same for any number of threads.

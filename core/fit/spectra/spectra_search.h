@@ -30,7 +30,7 @@ class SpectraMisfit {
   virtual ~SpectraMisfit() = default;
 
   virtual std::size_t wavelengthCount() const = 0;
-  // Of the five parameters.
+  // One for each of the five parameters.
   virtual const ParameterAxes& axes() const = 0;
   // One spectrum a column.
   virtual Eigen::MatrixXd spectra(std::span<const SearchPoint<N>> points) const = 0;

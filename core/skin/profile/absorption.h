@@ -45,7 +45,7 @@ class AbsorptionLaw {
 
   int parameterCount() const { return static_cast<int>(layers_.size()); }
   SkinLayer layerOf(int parameter) const { return layers_[static_cast<std::size_t>(parameter)]; }
-  // Of the layer without chromophores, and of a unit of a row of the table.
+  // The absorption of the layer without chromophores, and that of a unit of a row of the table.
   double base(SkinLayer layer, int sample) const;
   double perUnit(int parameter, int sample) const { return ofRows(sample)[parameter]; }
 

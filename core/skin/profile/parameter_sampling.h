@@ -13,7 +13,7 @@ namespace cutis {
 // number `first`: different ranges of numbers are independent sets. Deterministic.
 std::vector<ParameterVector> sampleBox(const ParameterAxes& axes, int count, int first = 0);
 
-// Of point number `point` (from 0) two further coordinates, `which` 0 or 1, between 0 and 1: evenly
+// Two further coordinates of point number `point` (from 0), `which` 0 or 1, between 0 and 1: evenly
 // beside those of sampleBox().
 double samplePlace(int which, int point);
 

@@ -19,7 +19,7 @@ QString sentenceOf(const Error& error) {
   return QString::fromStdString(error.text());
 }
 
-// Of a buffer of one pixel.
+// Precondition: the buffer is of one pixel.
 ParameterVector onlyPixelOf(const ParameterBuffer& buffer) {
   ParameterVector parameters;
   for (const Parameter k : kParameters) {

@@ -65,7 +65,7 @@ class ViewServer : public QObject {
   // All outlive the server.
   ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent = nullptr);
 
-  // Of one priority the oldest watch is served first. The server outlives its watches.
+  // Among watches of one priority the oldest is served first. The server outlives its watches.
   std::unique_ptr<ViewWatch> watch(ViewPriority priority, ViewWatch::Show show);
 
   // What the layer `skin` shows.

@@ -17,9 +17,9 @@ namespace cutis {
 
 struct ExportTarget {
   std::filesystem::path path;  // its extension names the format (src/images/codec/image_formats.h)
-  // Of a picture; none: the source's where the format has it, else the most usual of the format.
+  // The sample type of a picture; none: the source's where the format has it, else the most usual of the format.
   std::optional<SampleType> sampleType = {};
-  // Of a picture, a name of src/color; empty: the source's where both or neither are integers, else
+  // The colour space of a picture, a name of src/color; empty: the source's where both or neither are integers, else
   // sRGB in integers and Linear Rec.709 in floats.
   std::string colorSpace = {};
   // Files that were read, which are never written over.

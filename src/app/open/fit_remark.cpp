@@ -10,7 +10,7 @@ namespace {
 
 // The exact setting bends the parameters to whatever is in the channels.
 constexpr double kExactResidual = 2e-4;
-// Of all pixels.
+// A share of all pixels.
 constexpr double kMostNotSettled = 0.01;
 
 // "100 %", not "1e+02 %".

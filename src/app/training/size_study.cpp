@@ -24,7 +24,7 @@ PixelBuffer<float> randomInputs(int count) {
   return inputs;
 }
 
-// Of one core.
+// Measured on one core.
 double nanosecondsPerPixel(const NetworkPipeline& pipeline, const PixelBuffer<float>& inputs,
                            bool wantsParameters) {
   PixelBuffer<float> results(

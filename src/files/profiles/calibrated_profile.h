@@ -18,7 +18,7 @@ namespace cutis {
 Result<CalibrationStudy> studyOf(const CalibrationRecipe& recipe,
                                  const std::vector<MeasuredSpectra>& spectra);
 
-// The recipe's start with the constants, the prior, and where they are from; its description tells
+// The recipe's start with the constants, the prior, and where they are from; its description says
 // the errors on spectra that were left out. Fails if that is no valid profile.
 Result<std::string> calibratedProfileText(const CalibrationRecipe& recipe,
                                           const CalibrationFigures& figures);

@@ -22,7 +22,7 @@ struct TickLabel {
 
 inline constexpr double kTickLength = 4.0;
 
-// Of the words and what is raised after them.
+// The width of the words and of what is raised after them.
 double tickWidth(const Tick& tick, const TextStyle& style, const TextMetrics& metrics);
 
 // Ticks between the ends of an axis, the last one with the unit if the theme wants it there.

@@ -11,8 +11,8 @@
 namespace cutis {
 namespace {
 
-constexpr double kPanelHeight = 150.0;
-constexpr double kMarker = 4.3;
+constexpr double kRowHeight = 150.0;
+constexpr double kSmallMarker = 4.3;
 constexpr double kMarginFactor = 1.12;  // between the outermost points and the sides
 constexpr int kSteps = 5;
 constexpr std::array<const char*, 2> kContents = {"uncorrelated", "sample"};
@@ -84,7 +84,7 @@ Stroke strokeOf(bool first) {
   return {printTheme().series.orange, 1.4, first ? 0.0 : 4.0, first ? 0.0 : 3.0};
 }
 Marker markerOf(bool first) {
-  return {printTheme().series.orange, kMarker, first};
+  return {printTheme().series.orange, kSmallMarker, first};
 }
 Stroke idealStroke() {
   return {printTheme().series.grey, 1.2, 3.0, 3.0};
@@ -168,7 +168,7 @@ Panel panelByThreads(const BenchFigures& figures, const char* title, const Value
 PanelRow pictureRow(const BenchFigures& figures) {
   PanelRow row;
   row.title = "Time and memory of the refined fit";
-  row.height = kPanelHeight;
+  row.height = kRowHeight;
   row.legend = {{"uncorrelated pixels", strokeOf(true), markerOf(true)},
                 {"the sample", strokeOf(false), markerOf(false)},
                 {"ideal", idealStroke(), {}}};

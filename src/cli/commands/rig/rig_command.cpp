@@ -1,4 +1,4 @@
-// rig: what a rig can tell of skin.
+// rig: what a rig can find out about skin.
 
 #include "core/analyse/rig_study.h"
 #include "src/cli/command.h"

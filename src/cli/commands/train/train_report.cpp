@@ -25,20 +25,20 @@ std::string sizes(const TrainedNetworks& trained) {
 
 std::string truncation(const TrainedNetworks& trained) {
   TextTable table({"components", "error left"}, 0);
-  bool told = false;
+  bool shown = false;
   const int used = trained.components();
   const auto add = [&](int count, const char* mark) {
     table.add(
         {mark + std::to_string(count), shortScientific(trained.basis.truncationError(count))});
   };
   for (const int count : kComponentCounts) {
-    if (!told && count >= used) {
+    if (!shown && count >= used) {
       add(used, "used: ");
-      told = true;
+      shown = true;
     }
     if (count != used) add(count, "");
   }
-  if (!told) add(used, "used: ");
+  if (!shown) add(used, "used: ");
   return "  principal components: mean squared error of spectra, 300-1000 nm, over the table\n" +
          table.text();
 }
