@@ -42,6 +42,20 @@ class ViewportTest : public test::UiTest {
     QVERIFY(moved_->last()[0].value<Rect>().empty());
   }
 
+  // However long and narrow it is, and whichever way it lies.
+  void somethingIsSeenOfAnyPicture() {
+    for (const QSize size : {QSize(1, 32768), QSize(32768, 1), QSize(3, 30000), QSize(1, 1)}) {
+      view_->setPictureSize(size.width(), size.height());
+      const double thinner = std::min(size.width(), size.height()) * view_->zoom();
+      QVERIFY2(thinner >= 4.0, qPrintable(QString::number(thinner)));
+      const Rect seen = view_->visibleRect();
+      QVERIFY(!seen.empty());
+      const QPointF middle = view_->toImage(QPointF(view_->rect().center()));
+      QVERIFY(std::abs(middle.x() - size.width() / 2.0) <= 1.0);
+      QVERIFY(std::abs(middle.y() - size.height() / 2.0) <= 1.0);
+    }
+  }
+
   void staysFittedWhenResized() {
     view_->resize(424, 624);
     QTRY_COMPARE(view_->width(), 424);

@@ -5,7 +5,10 @@
 #include <QSettings>
 
 #include "src/app/document/document.h"
+#include "src/app/job_runner.h"
+#include "src/app/open/image_inspection.h"
 #include "ui/dialogs/format_filters.h"
+#include "ui/dialogs/open_as_dialog.h"
 #include "ui/widgets/progress_strip.h"
 
 namespace cutis {
@@ -16,9 +19,11 @@ constexpr char kRecentFiles[] = "recentFiles";
 
 }  // namespace
 
-OpenController::OpenController(Document& document, ProgressStrip& progress, QWidget* window)
-    : QObject(window), document_(document), progress_(progress), window_(window) {
+OpenController::OpenController(Document& document, JobRunner& jobs, ProgressStrip& progress,
+                               QWidget* window)
+    : QObject(window), document_(document), jobs_(jobs), progress_(progress), window_(window) {
   connect(&document, &Document::opened, this, &OpenController::remember);
+  connect(&document, &Document::openingFailed, this, &OpenController::openAs);
 }
 
 void OpenController::openSample() {
@@ -42,6 +47,37 @@ void OpenController::chooseImage() {
       QFileDialog::getOpenFileName(window_, tr("Open image or maps"), {},
                                    tr("Images (%1);;All files (*)").arg(readableImagePatterns()));
   if (!file.isEmpty()) open(file);
+}
+
+void OpenController::chooseImageAs() {
+  const QString file =
+      QFileDialog::getOpenFileName(window_, tr("Open image as"), {},
+                                   tr("Images (%1);;All files (*)").arg(readableImagePatterns()));
+  if (!file.isEmpty()) openAs(file);
+}
+
+void OpenController::openAs(const QString& path, const QString& reason) {
+  jobs_.start(tr("Look at %1").arg(QFileInfo(path).fileName()), [this, path, reason](
+                                                                    const JobRunner::Handle& job) {
+    const auto image = inspectImage(path.toStdString(), job.context);
+    if (image && (reason.isEmpty() || !image.value().opensByItself())) {
+      job.post([this, path, reason, inspected = image.value()] { ask(path, inspected, reason); });
+    } else if (image.failed() && reason.isEmpty()) {
+      job.post([this, sentence = QString::fromStdString(image.error().text())] {
+        progress_.showMessage(sentence, true);
+      });
+    }
+  });
+}
+
+void OpenController::ask(const QString& path, const ImageInspection& image, const QString& reason) {
+  auto* dialog = new OpenAsDialog(path.toStdString(), image, reason, window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    progress_.clearMessages();
+    document_.open(dialog->path(), dialog->choice());
+  });
+  dialog->open();
 }
 
 void OpenController::remember() {

@@ -8,6 +8,8 @@ namespace {
 
 // Device pixels of the picture that panning cannot push out of view.
 constexpr double kStripInView = 48;
+// Of a fitted picture, however long and narrow it is.
+constexpr double kLeastSide = 4;
 
 int roundedDown(double value, int multiple) {
   return static_cast<int>(std::floor(value / multiple)) * multiple;
@@ -35,7 +37,9 @@ void ViewGeometry::setView(QSize devicePixels, double margin) {
 double ViewGeometry::fittedScale() const {
   const double width = std::max(view_.width() - 2 * margin_, 1.0);
   const double height = std::max(view_.height() - 2 * margin_, 1.0);
-  return std::min({width / picture_.width(), height / picture_.height(), kLargestScale});
+  const double whole = std::min(width / picture_.width(), height / picture_.height());
+  const double seen = kLeastSide / std::min(picture_.width(), picture_.height());
+  return std::min(std::max(whole, seen), kLargestScale);
 }
 
 void ViewGeometry::fit() {

@@ -30,7 +30,8 @@ class ViewGeometry {
   bool fitted() const { return fitted_; }
   double scale() const { return scale_; }
 
-  // The whole picture, centred; stays so when the view changes its size.
+  // The whole picture, centred; stays so when the view changes its size. Of a picture so long and
+  // narrow that it would be thinner than a few device pixels, the middle part.
   void fit();
   // Keeps the image point under `anchor` (device pixels) where it is.
   void zoomTo(double scale, const QPointF& anchor);

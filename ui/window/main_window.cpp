@@ -52,7 +52,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
       light_(std::make_unique<LightController>(*server_, *views_)),
       fit_(std::make_unique<FitController>(*document_)),
       training_(std::make_unique<TrainingController>(*document_, *engine_, jobs_, this)),
-      opener_(std::make_unique<OpenController>(*document_, *progress_, this)),
+      opener_(std::make_unique<OpenController>(*document_, jobs_, *progress_, this)),
       exports_(std::make_unique<ExportController>(*document_, *engine_, jobs_, *progress_, this)) {
   new JobDisplay(jobs_, *progress_, this);
   fillTables();

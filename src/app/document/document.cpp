@@ -52,20 +52,24 @@ void Document::openSample() {
     CUTIS_TRY(sample, cutis::openSample(*painted, store_, context));
     return sourceForModel(sample, model);
   };
-  startOpening(tr("Sample face patch"),
+  startOpening(tr("Sample face patch"), {},
                [this, paint, choice = usualFit_](const JobContext& context) {
                  return openedSource({}, choice, paint, context);
                });
 }
 
-void Document::open(const std::filesystem::path& path) {
-  const SourceReader read = [this, path](const SkinModel& model, const JobContext& context) {
-    return openSource(path, {}, model, store_, context);
+void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
+  const SourceReader read = [this, path, options = choice.source](const SkinModel& model,
+                                                                  const JobContext& context) {
+    return openSource(path, options, model, store_, context);
   };
-  startOpening(QString::fromStdString(path.filename().string()),
-               [this, path, read, choice = usualFit_](const JobContext& context) {
+  startOpening(QString::fromStdString(path.filename().string()), path,
+               [this, path, read, fit = usualFit_, chooseExposure = choice.chooseExposure](
+                   const JobContext& context) -> Result<Opened> {
                  if (!looksLikeCapture(path) && isMapsFile(path)) return openedMaps(path, context);
-                 return openedSource({path}, choice, read, context);
+                 CUTIS_TRY(opened, openedSource({path}, fit, read, context));
+                 opened.chooseExposure = chooseExposure;
+                 return std::move(opened);
                });
 }
 
@@ -77,13 +81,16 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
   return context;
 }
 
-void Document::startOpening(const QString& name, Opener open) {
+void Document::startOpening(const QString& name, const std::filesystem::path& path, Opener open) {
   jobs_.cancel(opening_);
   opening_ = jobs_.start(
-      tr("Open %1").arg(name), [this, open = std::move(open)](const JobRunner::Handle& job) {
+      tr("Open %1").arg(name), [this, path, open = std::move(open)](const JobRunner::Handle& job) {
         auto opened = open(contextOf(job));
         if (opened.failed()) {
-          job.post([this, sentence = sentenceOf(opened.error())] { Q_EMIT failed(sentence); });
+          job.post([this, path, sentence = sentenceOf(opened.error())] {
+            Q_EMIT openingFailed(QString::fromStdString(path.string()), sentence);
+            Q_EMIT failed(sentence);
+          });
         } else if (opened) {
           job.post([this, result = opened.value()] { take(result); });
         }
@@ -133,6 +140,7 @@ void Document::take(const Opened& opened) {
   cancelFit();
   scene_ = opened.scene;
   choice_ = opened.choice;
+  chooseExposure_ = opened.chooseExposure;
   name_ = opened.name;
   sourceFiles_ = opened.files;
   fitted_ = false;
@@ -169,10 +177,10 @@ void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network,
 void Document::startFit() {
   cancelFit();
   fitted_ = false;
-  fitting_ = jobs_.start(tr("Fit %1").arg(name_),
-                         [this, choice = choice_, scene = *scene_](const JobRunner::Handle& job) {
-                           fit(choice, scene, job);
-                         });
+  fitting_ =
+      jobs_.start(tr("Fit %1").arg(name_),
+                  [this, choice = choice_, chooseExposure = chooseExposure_, scene = *scene_](
+                      const JobRunner::Handle& job) { fit(choice, chooseExposure, scene, job); });
   Q_EMIT fitChoiceChanged();
 }
 
@@ -181,7 +189,8 @@ void Document::cancelFit() {
   mapsTimer_.stop();
 }
 
-void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle& job) {
+void Document::fit(const FitChoice& choice, bool chooseExposure, Scene scene,
+                   const JobRunner::Handle& job) {
   const JobContext context = contextOf(job).child(0.0, 1.0, "preparing");
   const auto fitted = [&]() -> Result<FittedSource> {
     CUTIS_TRY(model, engine_.model(choice.profile, {}));
@@ -197,8 +206,8 @@ void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle
         return Cancelled{};
       }
     }
-    return fitSource(model, scene.source, {fitOptions(choice), true}, engine_, store_, context,
-                     observerOf(scene, job));
+    return fitSource(model, scene.source, {fitOptions(choice), chooseExposure}, engine_, store_,
+                     context, observerOf(scene, job));
   }();
   if (fitted.failed()) {
     job.post([this, sentence = sentenceOf(fitted.error())] {

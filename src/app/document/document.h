@@ -40,6 +40,12 @@ struct Command {
   bool moving = false;
 };
 
+// How an image is read, where a person has chosen.
+struct OpenChoice {
+  SourceOptions source;
+  bool chooseExposure = true;  // anew for each fit, instead of the source's own
+};
+
 class Document : public QObject {
   Q_OBJECT
 
@@ -53,7 +59,7 @@ class Document : public QObject {
   // Each replaces what is open once it could be read; a failure leaves it as it was.
   void openSample();
   // A capture's folder, capture.json, an image or maps.
-  void open(const std::filesystem::path& path);
+  void open(const std::filesystem::path& path, const OpenChoice& choice = {});
 
   bool isOpen() const { return scene_.has_value(); }
   QString name() const { return name_; }
@@ -110,6 +116,8 @@ class Document : public QObject {
   // There is no network for the lights and the profile; another method is used instead.
   void networkMissing();
   void editsChanged(bool moving);
+  // What was to be opened could not be; before failed().
+  void openingFailed(const QString& path, const QString& sentence);
   // One sentence for the user.
   void failed(const QString& sentence);
   void noticed(const QString& sentence);
@@ -119,6 +127,7 @@ class Document : public QObject {
   struct Opened {
     Scene scene;
     FitChoice choice;
+    bool chooseExposure = true;
     QString name;
     std::vector<std::filesystem::path> files;
   };
@@ -126,7 +135,8 @@ class Document : public QObject {
   using SourceReader =
       std::function<Result<Source>(const SkinModel& model, const JobContext& context)>;
 
-  void startOpening(const QString& name, Opener open);
+  // path: empty for the sample.
+  void startOpening(const QString& name, const std::filesystem::path& path, Opener open);
   // On the thread of the job.
   Result<Opened> openedSource(std::vector<std::filesystem::path> files, const FitChoice& choice,
                               const SourceReader& read, const JobContext& context);
@@ -137,7 +147,7 @@ class Document : public QObject {
   void startFit();
   void cancelFit();
   // On the thread of the job.
-  void fit(const FitChoice& choice, Scene scene, const JobRunner::Handle& job);
+  void fit(const FitChoice& choice, bool chooseExposure, Scene scene, const JobRunner::Handle& job);
   SourceFitObserver observerOf(const Scene& scene, const JobRunner::Handle& job);
   void show(const Scene& fitted);
   void completeFit(const FitStatistics& statistics, const std::vector<FitRemark>& remarks);
@@ -157,6 +167,7 @@ class Document : public QObject {
   std::vector<std::filesystem::path> sourceFiles_;
   FitChoice usualFit_;
   FitChoice choice_;
+  bool chooseExposure_ = true;
   bool fitted_ = false;
   FitStatistics statistics_;
   // The last one that was complete.
