@@ -17,10 +17,10 @@ class ApplyTest : public QObject {
   void initTestCase() {
     run_.writeImage("skin.png", skinTexture(kWidth, kHeight, {"R", "G", "B"}), SampleType::uint8);
     ImageContent tiff = skinTexture(kWidth, kHeight, {"R", "G", "B", "A"});
-    tiff.colorSpace = "sRGB";
+    tiff.colorSpace = builtInColorSpace("sRGB");
     run_.writeImage("skin.tif", tiff, SampleType::uint16);
     ImageContent exr = skinTexture(kWidth, kHeight, {"R", "G", "B", "A", "pores"});
-    exr.colorSpace = "ACEScg";
+    exr.colorSpace = builtInColorSpace("ACEScg");
     run_.writeImage("skin.exr", exr, SampleType::half);
     // Right half.
     std::vector<float> mask;
@@ -46,7 +46,7 @@ class ApplyTest : public QObject {
     const Image same = run_.image("same." + extension.toStdString());
     QCOMPARE(same.channelNames, source.channelNames);
     QVERIFY(same.sourceType == source.sourceType);
-    QCOMPARE(same.colorSpace, source.colorSpace);
+    QCOMPARE(same.colors.stated(), source.colors.stated());
     for (std::size_t k = 0; k < source.channels.size(); ++k) {
       QVERIFY2(valuesOf(same.channels[k]) == valuesOf(source.channels[k]),
                source.channelNames[k].c_str());
@@ -58,7 +58,7 @@ class ApplyTest : public QObject {
         run_.run("apply skin.exr --maps maps.exr -o tanned.exr --melanin 2 "
                  "--mask mask.png"));
     const Image source = run_.image("skin.exr"), tanned = run_.image("tanned.exr");
-    QCOMPARE(tanned.colorSpace, std::string("ACEScg"));
+    QCOMPARE(tanned.colors.stated(), std::string("ACEScg"));
     for (std::size_t k = 0; k < source.channels.size(); ++k) {
       const std::vector<float> before = valuesOf(source.channels[k]);
       const std::vector<float> after = valuesOf(tanned.channels[k]);
@@ -89,7 +89,7 @@ class ApplyTest : public QObject {
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.errors.find("cutis-cli: note: ") == 0, outcome.errors.c_str());
     const Image written = run_.image("out.png");
-    QCOMPARE(written.colorSpace, std::string("sRGB"));
+    QCOMPARE(written.colors.stated(), std::string("sRGB"));
     QVERIFY(written.sourceType == SampleType::uint8);
   }
 
