@@ -1,4 +1,4 @@
-#pragma once  // internal to src/color
+#pragma once
 
 // ICC profiles, by their own curves and matrix or table, through LittleCMS.
 //

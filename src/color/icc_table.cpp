@@ -16,7 +16,7 @@ namespace {
 // A step of the search, of the numbers of the device; tables have about 33 points.
 constexpr float kDifference = 1.0f / 512.0f;
 constexpr int kMostSteps = 24;
-constexpr double kCloseEnough = 1e-6;
+constexpr double kCloseEnough = 1e-5;  // tables are of 16 bits
 
 void remember(cmsContext context, cmsUInt32Number, const char* text) {
   auto* complaint = static_cast<std::string*>(cmsGetContextUserData(context));

@@ -38,9 +38,7 @@ struct ImageHeader {
   // "R", "G", "B", "A", "Y" or whatever the file calls them.
   std::vector<std::string> channelNames;
   SampleType sourceType = SampleType::uint8;  // the widest of the channels
-  // What the file says; may be empty, and a name nobody knows.
-  std::string colorSpace;
-  // All that it says of its colours.
+  // All that the file says of its colours.
   FileColors colors;
   ImageMetadata metadata;
 
@@ -71,17 +69,19 @@ Result<Image> readImage(const std::filesystem::path& path, const ImageReadOption
 struct ImageContent {
   std::vector<std::string> channelNames;
   std::vector<Plane> channels;  // one per name, all of one size, at least one
-  // Canonical name (src/color); empty says nothing about the colours.
-  std::string colorSpace;
+  // Empty says nothing about the colours.
+  ColorSpace colorSpace;
   ImageMetadata metadata;
-  // The pixels are still in the space of the metadata's colour profile.
-  bool keepColorProfile = false;
 };
 
 // What the format of this name can hold, the most usual first. A usage error for other formats.
 Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path& path);
 // Whether this could be written, found out before any work is done: format, sample type, folder.
 Status checkImageOutput(const std::filesystem::path& path, SampleType type);
+
+// Whether a file of this name can say that its colours are of this space. Precondition: a format
+// that is written.
+bool canStateColors(const std::filesystem::path& path, const ColorSpace& space);
 
 // Replaces the file as a whole or leaves it as it was. Channels the format has no place for are
 // left out with a notice.

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "src/images/codec/color_tags.h"
 #include "src/images/codec/image_reader.h"
 #include "src/images/codec/metadata_access.h"
+#include "src/images/color/file_colors.h"
 #include "src/images/image_file.h"
 
 namespace cutis {
@@ -11,12 +11,13 @@ namespace {
 
 constexpr double kHashShare = 0.05;  // of the time
 
-void fillHeader(const ImagePart& part, ImageFileKind kind, ImageHeader& header) {
+void fillHeader(const std::filesystem::path& path, const ImagePart& part, ImageFileKind kind,
+                ImageHeader& header) {
   header.width = part.width();
   header.height = part.height();
   header.channelNames = part.spec.channelnames;
   header.sourceType = part.type;
-  header.colorSpace = colorSpaceOf(kind, part.spec);
+  header.colors = fileColors(path, kind, part);
   header.metadata = MetadataAccess::from(part.spec);
 }
 
@@ -31,7 +32,7 @@ Result<ImageHeader> readImageHeader(const std::filesystem::path& path, const Job
   CUTIS_TRY(reader, ImageReader::open(path, context));
   CUTIS_TRY(part, reader.part(0));
   ImageHeader header;
-  fillHeader(part, reader.kind(), header);
+  fillHeader(path, part, reader.kind(), header);
   return header;
 }
 
@@ -40,7 +41,7 @@ Result<Image> readImage(const std::filesystem::path& path, const ImageReadOption
   CUTIS_TRY(reader, ImageReader::open(path, context));
   CUTIS_TRY(part, reader.part(0));
   Image image;
-  fillHeader(part, reader.kind(), image);
+  fillHeader(path, part, reader.kind(), image);
   if (options.accept) CUTIS_CHECK(options.accept(image));
   CUTIS_TRY(hash, hashFile(path, context));
   image.contentHash = hash;

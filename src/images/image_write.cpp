@@ -4,11 +4,11 @@
 #include <numeric>
 
 #include "src/files/io/atomic_write.h"
-#include "src/images/codec/color_tags.h"
 #include "src/images/codec/image_formats.h"
 #include "src/images/codec/image_writer.h"
 #include "src/images/codec/metadata_access.h"
 #include "src/images/codec/oiio_text.h"
+#include "src/images/color/output_colors.h"
 #include "src/images/image_file.h"
 
 namespace cutis {
@@ -92,6 +92,10 @@ Status checkImageOutput(const std::filesystem::path& path, SampleType type) {
   return checkWritable(path);
 }
 
+bool canStateColors(const std::filesystem::path& path, const ColorSpace& space) {
+  return canStateColors(writtenFormat(path).value()->kind, space);
+}
+
 Status writeImage(const std::filesystem::path& path, const ImageContent& content, SampleType type,
                   const JobContext& context) {
   assert(!content.channels.empty() && content.channels.size() == content.channelNames.size());
@@ -108,22 +112,17 @@ Status writeImage(const std::filesystem::path& path, const ImageContent& content
   OutputPart part{plain, {}};
   for (const std::size_t i : channels)
     part.channels.push_back(content.channels[i]);
-  bool keepProfile = content.keepColorProfile;
-  if (keepProfile && format.kind == ImageFileKind::png &&
-      !MetadataAccess::pngTakesProfile(content.metadata)) {
-    keepProfile = false;
-    context.say(place + ": PNG cannot hold this colour profile, which is left out; use TIFF");
-  }
-  MetadataAccess::add(content.metadata, keepProfile, part.spec);
-  for (OIIO::ImageSpec* spec : {&plain, &part.spec}) {
-    if (!tagColorSpace(format.kind, type, content.colorSpace, *spec) && spec == &plain &&
-        !content.keepColorProfile) {
-      context.say(place + ": " + formatName + " of this sample type cannot say " +
-                  "that its colours are " + content.colorSpace + "; name it when you use the file");
-    }
+  MetadataAccess::add(content.metadata, part.spec);
+  StatedColors stated;
+  for (OIIO::ImageSpec* spec : {&plain, &part.spec})
+    stated = stateColors(format.kind, content.colorSpace, *spec);
+  if (!stated.complete) {
+    context.say(place + ": " + formatName + " cannot say here that its colours are " +
+                content.colorSpace.name + "; name it when you use the file");
   }
   return writeAtomically(path, [&](const std::filesystem::path& temporary) {
-    return writeParts(temporary, place, format.kind, type, {part}, {plain}, context);
+    return writeParts(temporary, place, format.kind, type, {part}, {plain}, stated.pngChunks,
+                      context);
   });
 }
 

@@ -65,20 +65,17 @@ class SourceEditor {
         albedo_(albedo),
         pure_(options.pure),
         exposure_(options.pure ? static_cast<float>(source.measurements.exposure) : 1.0f),
-        sameSpace_(source.image && source.colorSpace == options.colorSpace) {}
+        sameSpace_(source.image && source.colors.followed.space.name == options.colorSpace.name) {}
 
-  Status prepare(const std::string& space) {
-    CUTIS_TRY(from, fromLinearRec709(space, "--colorspace"));
-    fromLinear_ = std::move(from);
-    if (!source_.image) return {};
-    CUTIS_TRY(to, toLinearRec709(source_.colorSpace, source_.name));
-    toLinear_ = std::move(to);
+  void prepare(const ColorSpace& space) {
+    fromLinear_ = space.fromLinearRec709;
+    if (!source_.image) return;
+    toLinear_ = source_.colors.followed.space.toLinearRec709;
     for (std::size_t c = 0; c < 3; ++c) {
       constexpr std::array<const char*, 3> names = {"R", "G", "B"};
       const int index = source_.image->channelIndex(names[c]);
       stored_.push_back(source_.image->channels[static_cast<std::size_t>(index)]);
     }
-    return {};
   }
 
   Status editTile(const Rect& rect, std::vector<Plane>& edited) const {
@@ -125,14 +122,13 @@ class SourceEditor {
 
 // All channels of the source, the three colours replaced.
 ImageContent contentOf(const Source& source, const std::vector<Plane>& edited,
-                       const std::string& space) {
+                       const ColorSpace& space) {
   ImageContent content;
   content.colorSpace = space;
   content.metadata = source.metadata;
   content.channelNames = {"R", "G", "B"};
   content.channels = edited;
   if (!source.image) return content;
-  content.keepColorProfile = source.colorSpace == space && source.metadata.hasColorProfile();
   content.channelNames = source.image->channelNames;
   content.channels = source.image->channels;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -149,7 +145,7 @@ Result<ImageContent> editedSource(const Source& source, const EditedSkin& skin,
                                   const std::shared_ptr<TileStore>& store,
                                   const JobContext& context) {
   SourceEditor editor(source, skin, albedo, options);
-  CUTIS_CHECK(editor.prepare(options.colorSpace));
+  editor.prepare(options.colorSpace);
   std::vector<Plane> edited;
   for (int c = 0; c < 3; ++c) {
     edited.emplace_back(skin.width(), skin.height(), PixelFormat::float32, store);

@@ -15,8 +15,8 @@
 namespace cutis {
 
 struct EditedSourceOptions {
-  // Canonical name of the space to write.
-  std::string colorSpace;
+  // To write.
+  ColorSpace colorSpace;
   // The edited model alone where there is an estimate, instead of the source times the change; in
   // the source's brightness, which its exposure is taken off again for.
   bool pure = false;

@@ -26,7 +26,7 @@ class Exporter {
   Status operator()(const EditedAlbedo& what) const {
     CUTIS_CHECK(checkPictureTarget(target_));
     const ImageHeader* image = what.source->image ? &*what.source->image : nullptr;
-    CUTIS_TRY(encoding, encodingFor(target_, image, what.source->colorSpace, context_));
+    CUTIS_TRY(encoding, encodingFor(target_, image, what.source->colors.followed.space, context_));
     CUTIS_TRY(daylight, pictureRows(PictureRequest(), {}));
     CUTIS_TRY(albedo, engine_.response(what.skin.model, daylight.rows, what.skin.free(),
                                        context_.child(0.0, kReadyToWrite, "preparing")));
@@ -49,7 +49,7 @@ class Exporter {
     content.channelNames = encoded.size() == 1 ? std::vector<std::string>{"Y"}
                                                : std::vector<std::string>{"R", "G", "B"};
     content.channels = encoded;
-    content.colorSpace = what.picture.isColor ? encoding.colorSpace : "";
+    if (what.picture.isColor) content.colorSpace = encoding.colorSpace;
     content.metadata = what.metadata;
     return write(content, encoding.sampleType);
   }

@@ -1,6 +1,7 @@
 #include "src/app/export/export_target.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "src/app/export/overwrite_protection.h"
 #include "src/color/color_space.h"
@@ -13,8 +14,8 @@ namespace {
 
 constexpr char kSpacePlace[] = "--colorspace";
 
-std::string usualSpace(SampleType type) {
-  return isInteger(type) ? "sRGB" : "Linear Rec.709";
+const ColorSpace& usualSpace(SampleType type) {
+  return builtInColorSpace(isInteger(type) ? "sRGB" : "Linear Rec.709");
 }
 
 Result<SampleType> sampleTypeFor(const ExportTarget& target, const ImageHeader* image) {
@@ -53,19 +54,28 @@ Status checkMapsTarget(const ExportTarget& target) {
 }
 
 Result<PictureEncoding> encodingFor(const ExportTarget& target, const ImageHeader* image,
-                                    const std::string& imageSpace, const JobContext& context) {
+                                    const ColorSpace& imageSpace, const JobContext& context) {
   CUTIS_TRY(type, sampleTypeFor(target, image));
   PictureEncoding encoding = {type, usualSpace(type)};
   if (!target.colorSpace.empty()) {
-    CUTIS_TRY(space, canonicalColorSpace(target.colorSpace, kSpacePlace));
-    encoding.colorSpace = space;
-  } else if (image != nullptr && isInteger(image->sourceType) == isInteger(type)) {
+    CUTIS_TRY(space, namedColorSpace(target.colorSpace, kSpacePlace));
+    // Of two spaces of one name the file's own goes back to its exact numbers.
+    const bool own = image != nullptr && space.name == imageSpace.name;
+    encoding.colorSpace = own ? imageSpace : std::move(space);
+  } else if (image != nullptr && isInteger(image->sourceType) == isInteger(type) &&
+             !image->colors.isConverted && canStateColors(target.path, imageSpace)) {
     encoding.colorSpace = imageSpace;
   }
   if (image != nullptr && image->sourceType != type) {
     context.say(target.path.string() + ": the source's samples are " +
                 sampleTypeName(image->sourceType) + ", this file's are " + sampleTypeName(type) +
-                " in " + encoding.colorSpace);
+                " in " + encoding.colorSpace.name);
+  } else if (image != nullptr && target.colorSpace.empty() &&
+             (image->colors.isConverted || encoding.colorSpace.name != imageSpace.name)) {
+    context.say(
+        target.path.string() + ": the source's colours are " +
+        (image->colors.isConverted ? image->colors.statements.front().origin : imageSpace.name) +
+        ", this file's are " + encoding.colorSpace.name);
   }
   return encoding;
 }

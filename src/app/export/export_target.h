@@ -17,10 +17,11 @@ namespace cutis {
 
 struct ExportTarget {
   std::filesystem::path path;  // its extension names the format (src/images/codec/image_formats.h)
-  // The sample type of a picture; none: the source's where the format has it, else the most usual of the format.
+  // The sample type of a picture; none: the source's where the format has it, else the most usual
+  // of the format.
   std::optional<SampleType> sampleType = {};
-  // The colour space of a picture, a name of src/color; empty: the source's where both or neither are integers, else
-  // sRGB in integers and Linear Rec.709 in floats.
+  // The colour space of a picture, a name of src/color; empty: the source's where both or neither
+  // are integers and the format can say so, else sRGB in integers and Linear Rec.709 in floats.
   std::string colorSpace = {};
   // Files that were read, which are never written over.
   std::vector<std::string> inputs = {};
@@ -37,12 +38,12 @@ Status checkMapsTarget(const ExportTarget& target);
 
 struct PictureEncoding {
   SampleType sampleType = SampleType::half;
-  std::string colorSpace;  // canonical name
+  ColorSpace colorSpace;
 };
 
-// By the rules above. image: of an albedo texture, with its colour space's canonical name; null for
-// pictures that come from no file. A notice where the file has other samples than the texture.
+// By the rules above. image: of an albedo texture, with its colour space; null for pictures that
+// come from no file. A notice where the file has other samples or colours than the texture.
 Result<PictureEncoding> encodingFor(const ExportTarget& target, const ImageHeader* image,
-                                    const std::string& imageSpace, const JobContext& context);
+                                    const ColorSpace& imageSpace, const JobContext& context);
 
 }  // namespace cutis

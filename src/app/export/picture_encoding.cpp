@@ -26,10 +26,10 @@ Status encodeTile(const std::vector<Plane>& linear, const ColorConverter& conver
 
 }  // namespace
 
-Result<std::vector<Plane>> encodePicture(const std::vector<Plane>& linear, const std::string& space,
+Result<std::vector<Plane>> encodePicture(const std::vector<Plane>& linear, const ColorSpace& space,
                                          const std::shared_ptr<TileStore>& store,
                                          const JobContext& context) {
-  CUTIS_TRY(convert, fromLinearRec709(space, "--colorspace"));
+  const ColorConverter& convert = space.fromLinearRec709;
   const Plane& size = linear.front();
   std::vector<Plane> encoded;
   for (std::size_t c = 0; c < linear.size(); ++c) {

@@ -11,7 +11,6 @@
 #include "core/simulate/skin_patch.h"
 #include "core/spectra/colorimetry.h"
 #include "src/app/open/daylight_matrix.h"
-#include "src/color/color_space.h"
 #include "src/files/recipe_file.h"
 #include "src/files/rig_file.h"
 #include "src/files/spectral_library.h"
@@ -47,8 +46,7 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
     return usageError("--exposure", "the exposure must be a positive number");
   }
   CUTIS_TRY(rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, "--rig"));
-  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask}, toLinearRec709, rig, store,
-                               context));
+  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask}, rig, store, context));
   Source source;
   source.name = titleOf(path);
   source.measurements = std::move(albedo.measurements);
@@ -56,8 +54,7 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
     source.measurements.rig.noise.read =
         std::max(source.measurements.rig.noise.read, kEightBitRead);
   }
-  CUTIS_TRY(space, canonicalColorSpace(albedo.colorSpace, path.string()));
-  source.colorSpace = space;
+  source.colors = std::move(albedo.colors);
   source.measurements.exposure = options.exposure;
   source.metadata = albedo.source.metadata;
   source.references = {{path.filename().string(), albedo.source.contentHash}};

@@ -26,7 +26,7 @@ struct SourceOptions {
   std::vector<std::string> lights;  // of a capture; empty: all
   std::filesystem::path mask;       // empty: the capture's own, if any
   // The following are of an albedo texture.
-  std::string colorSpace;  // empty: what the file says, see src/images/capture/albedo_file.h
+  std::string colorSpace;  // empty: what the file says, see src/images/color/color_statement.h
   double exposure = 1.0;   // multiplies the linear values; positive
   // How the photographs of a capture see the skin: the surface's reflection is taken off them
   // (core/rig/surface_reflection.h). An albedo texture has none.
@@ -38,7 +38,7 @@ struct Source {
   Measurements measurements;  // with the exposure of an albedo texture
   // All channels of an albedo texture as they stand in the file; nothing for photographs.
   std::optional<Image> image;
-  std::string colorSpace;       // of the image: canonical name
+  ColorDecision colors;         // of the image: what its numbers mean, and who says so
   MeasurementGeometry surface;  // that was taken off the photographs
   ImageMetadata metadata;
   std::vector<SourceReference> references;

@@ -125,7 +125,7 @@ MapsFile mapsFileOf(const FittedSource& fitted, const std::string& profileJson) 
                      fitted.source->surface.specularShare,
                      measurements.exposure,
                      fitted.source->references,
-                     fitted.source->colorSpace};
+                     fitted.source->colors.followed.space.name};
   file.metadata = fitted.source->metadata;
   return file;
 }

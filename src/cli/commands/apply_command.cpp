@@ -9,6 +9,7 @@
 #include "src/cli/options/edit_options.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/codec/image_formats.h"
+#include "src/images/image_file.h"
 
 namespace cutis {
 namespace {
@@ -50,13 +51,28 @@ void compareSources(const Source& source, const MapsFile& maps, const ApplyComma
               " is now");
 }
 
+// The colour space that was chosen when the maps were fitted; empty if the file itself says it or
+// if the name means nothing here.
+Result<std::string> choiceOfMaps(const std::string& path, const std::string& space,
+                                 const JobContext& context) {
+  CUTIS_TRY(header, readImageHeader(path, context));
+  const auto decided = decideColors(header.colors, {}, path);
+  const bool agrees = decided && decided.value().followed.space.name == space;
+  if (agrees || space.empty() || header.colors.isConverted) return std::string();
+  if (namedColorSpace(space, path)) return space;
+  context.say(path + ": the maps were made of it when its colours were " + space +
+              "; they are read as the file says now");
+  return std::string();
+}
+
 Result<EditedAlbedo> openWithMaps(const ApplyCommand& command, const Session& session,
                                   const JobContext& context) {
   CUTIS_TRY(opened, openMaps(command.maps, command.fit.profile, session, context.child(0.0, 0.5)));
   const std::string& path = command.sources.front();
   SourceOptions options;
   if (!looksLikeCapture(path)) {
-    options.colorSpace = opened.file.attributes.sourceColorSpace;
+    CUTIS_TRY(choice, choiceOfMaps(path, opened.file.attributes.sourceColorSpace, session.context));
+    options.colorSpace = choice;
   } else if (opened.file.attributes.specularShare > 0.0) {
     options.surface =
         measurementGeometry(SpecularPart::included, opened.model->profile().refractiveIndex,

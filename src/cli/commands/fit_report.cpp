@@ -1,6 +1,7 @@
 #include "src/cli/commands/fit_report.h"
 
 #include <cmath>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -32,6 +33,23 @@ Json gamutFigures(const FittedSource& fitted) {
                 {"exposure", fitted.source->measurements.exposure}};
   if (fitted.gamut.medianDeltaE) gamut["median_delta_e2000"] = *fitted.gamut.medianDeltaE;
   return gamut;
+}
+
+// What the file says of its colours, and what of it was followed.
+Json colorFigures(const Source& source) {
+  Json statements = Json::array();
+  for (const ColorStatement& statement : source.image->colors.statements) {
+    Json entry = {{"origin", statement.origin}};
+    if (statement.space.empty())
+      entry["objection"] = statement.objection;
+    else
+      entry["says"] = statement.space.name;
+    statements.push_back(std::move(entry));
+  }
+  return {{"space", source.colors.followed.space.name},
+          {"followed", source.colors.sentence},
+          {"statements", std::move(statements)},
+          {"contradictions", source.colors.contradictions}};
 }
 
 // By name, of the constants that were free.
@@ -66,6 +84,7 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
                      {"write", seconds.write}};
   root["residual"] = {{"mean", statistics.meanResidual}, {"p95", statistics.residual95}};
   root["gamut"] = gamutFigures(fitted);
+  if (fitted.source->image) root["colours"] = colorFigures(*fitted.source);
   if (fitted.outsideDiffusion) root["outside_diffusion_share"] = *fitted.outsideDiffusion;
   if (fitted.source->surface.specularShare > 0.0)
     root["specular_share"] = fitted.source->surface.specularShare;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,44 +30,39 @@ Result<std::array<std::size_t, 3>> colorChannels(const ImageHeader& image,
   for (std::size_t c = 0; c < names.size(); ++c) {
     const int index = image.channelIndex(names[c]);
     if (index < 0) {
-      const bool grey = image.channelNames.size() <= 2;
-      return inputError(place, std::string("the image is ") +
-                                   (grey ? "grey" : "without the channels R, G and B") +
-                                   "; skin needs its colours, save it as a colour image");
+      return inputError(place,
+                        "the image is without the channels R, G and B; skin needs its colours, "
+                        "save it as a colour image");
     }
     channels[c] = static_cast<std::size_t>(index);
   }
   return channels;
 }
 
-std::string defaultSpace(SampleType type) {
-  return isInteger(type) ? "sRGB" : "Linear Rec.709";
+void sayHowColorsAreRead(const ColorDecision& colors, const FileColors& file,
+                         const std::string& place, const JobContext& context) {
+  const bool usual = colors.followed.source == ColorSource::choice ||
+                     colors.followed.source == ColorSource::ownAttribute ||
+                     colors.followed.space.name == file.byDefault.space.name;
+  if (!usual || file.isConverted) context.say(place + ": " + colors.sentence);
+  for (const std::string& contradiction : colors.contradictions)
+    context.say(place + ": " + contradiction);
 }
 
-struct Conversion {
-  std::string space;
-  RgbConversion toLinear;
-};
-
-Result<Conversion> conversionFor(const Image& image, const AlbedoOptions& options,
-                                 const RgbConversionLookup& lookup, const std::string& place) {
-  if (!options.colorSpace.empty()) {
-    CUTIS_TRY(given, lookup(options.colorSpace, "--colorspace"));
-    return Conversion{options.colorSpace, given};
-  }
-  const bool says = !image.colorSpace.empty();
-  const std::string space = says ? image.colorSpace : defaultSpace(image.sourceType);
-  const auto found = lookup(space, place);
-  if (found) return Conversion{space, found.value()};
-  if (!found.failed() || !says) return found.failure();
-  return inputError(place, "the file says that its colours are '" + space +
-                               "', which is not known; name their colour space, for example " +
-                               defaultSpace(image.sourceType));
+// Red, green and blue in place of grey.
+void colorGrey(Image& image) {
+  const int grey = image.channelIndex("Y");
+  if (grey < 0 || image.channelIndex("R") >= 0) return;
+  const auto at = static_cast<std::ptrdiff_t>(grey);
+  const Plane plane = image.channels[static_cast<std::size_t>(grey)];
+  image.channelNames.erase(image.channelNames.begin() + at);
+  image.channelNames.insert(image.channelNames.begin() + at, {"R", "G", "B"});
+  image.channels.insert(image.channels.begin() + at, 2, plane);
 }
 
 class AlbedoReader {
  public:
-  AlbedoReader(Albedo& albedo, std::array<std::size_t, 3> channels, RgbConversion toLinear,
+  AlbedoReader(Albedo& albedo, std::array<std::size_t, 3> channels, ColorConverter toLinear,
                Plane mask)
       : albedo_(albedo), channels_(channels), toLinear_(std::move(toLinear)), mask_(mask) {
     const Rig& rig = albedo.measurements.rig;
@@ -127,7 +124,7 @@ class AlbedoReader {
 
   Albedo& albedo_;
   std::array<std::size_t, 3> channels_;
-  RgbConversion toLinear_;
+  ColorConverter toLinear_;
   Plane mask_;
   Plane alpha_;
   Eigen::Matrix3f matrix_;
@@ -137,18 +134,23 @@ class AlbedoReader {
 }  // namespace
 
 Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions& options,
-                          const RgbConversionLookup& toLinearRec709, const Rig& rig,
-                          const std::shared_ptr<TileStore>& store, const JobContext& context) {
+                          const Rig& rig, const std::shared_ptr<TileStore>& store,
+                          const JobContext& context) {
   CUTIS_CHECK(checkRig(rig));
   const std::string place = path.string();
-  std::array<std::size_t, 3> channels = {};
+  ColorDecision colors;
   const auto accept = [&](const ImageHeader& header) -> Status {
-    CUTIS_TRY(found, colorChannels(header, place));
-    channels = found;
+    if (header.channelIndex("Y") < 0) CUTIS_CHECK(colorChannels(header, place));
+    CUTIS_TRY(decided, decideColors(header.colors, options.colorSpace, place));
+    colors = std::move(decided);
     return {};
   };
   CUTIS_TRY(image, readImage(path, {{}, accept}, store, context.child(0.0, 0.7)));
-  CUTIS_TRY(conversion, conversionFor(image, options, toLinearRec709, place));
+  sayHowColorsAreRead(colors, image.colors, place, context);
+  if (image.channelIndex("R") < 0)
+    context.say(place + ": the image is grey; its red, green and blue are taken to be equal");
+  colorGrey(image);
+  CUTIS_TRY(channels, colorChannels(image, place));
   Plane mask;
   if (!options.mask.empty()) {
     CUTIS_TRY(read, readMask(options.mask, image.width, image.height, "'" + place + "'", store,
@@ -157,9 +159,9 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   }
   Albedo albedo;
   albedo.source = std::move(image);
-  albedo.colorSpace = conversion.space;
+  albedo.colors = colors;
   albedo.measurements.rig = rig;
-  AlbedoReader reader(albedo, channels, conversion.toLinear, mask);
+  AlbedoReader reader(albedo, channels, colors.followed.space.toLinearRec709, mask);
   CUTIS_CHECK(reader.measure(store, context.child(0.75, 1.0)));
   return albedo;
 }

@@ -6,12 +6,11 @@
 // white, so that each channel of the rig reads 1 for a perfect diffuser, and neutral texels read
 // the same in all three. Colours outside the spectral gamut (negative X, Y or Z) are invalid,
 // texels with alpha 0 are masked (gutters between UDIM islands), texels with a channel at the end
-// of an integer range are saturated. Otherwise alpha is not looked at.
+// of an integer range are saturated. Grey counts as equal red, green and blue. Otherwise alpha is
+// not looked at.
 
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <span>
 #include <string>
 
 #include "core/base/job_context.h"
@@ -21,15 +20,8 @@
 
 namespace cutis {
 
-// Converts interleaved R, G, B in place; called from many threads at once.
-using RgbConversion = std::function<Status(std::span<float> rgb)>;
-// The conversion from a colour space of this name to linear Rec.709 (src/color: toLinearRec709);
-// `place` stands in front of an error about the name.
-using RgbConversionLookup =
-    std::function<Result<RgbConversion>(const std::string& name, const std::string& place)>;
-
 struct AlbedoOptions {
-  // Empty: what the file says, else sRGB for integers and linear Rec.709 for floats.
+  // Empty: what the file says (src/images/color/color_statement.h).
   std::string colorSpace = {};
   std::filesystem::path mask = {};  // may be empty
 };
@@ -38,12 +30,13 @@ struct Albedo {
   Measurements measurements;
   // All channels of the file, untouched, for what is written later.
   Image source;
-  std::string colorSpace;  // the name that was used
+  ColorDecision colors;
 };
 
-// `rig` has an observer as its camera and one light.
+// `rig` has an observer as its camera and one light. Notices say how the colours are read where
+// that is not the usual way, and what the file's statements have against each other.
 Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions& options,
-                          const RgbConversionLookup& toLinearRec709, const Rig& rig,
-                          const std::shared_ptr<TileStore>& store, const JobContext& context);
+                          const Rig& rig, const std::shared_ptr<TileStore>& store,
+                          const JobContext& context);
 
 }  // namespace cutis

@@ -60,6 +60,7 @@ class CaptureReader {
   Result<Capture> read() {
     Capture capture;
     CUTIS_CHECK(readPhotographs(capture));
+    compareWithDeclaration();
     CUTIS_CHECK(readTheMask());
     capture.measurements.rig = manifest_.rig;
     CUTIS_CHECK(measure(capture.measurements));
@@ -75,6 +76,7 @@ class CaptureReader {
       std::array<std::size_t, 3> channels = {};
       const auto accept = [&](const ImageHeader& header) -> Status {
         CUTIS_CHECK(checkSize(header, entry));
+        CUTIS_CHECK(checkStorage(header, entry));
         CUTIS_TRY(found, cameraChannels(header, manifest_.rig.camera, entry.path.string()));
         channels = found;
         return {};
@@ -85,11 +87,37 @@ class CaptureReader {
         photograph.planes[c] = image.channels[channels[c]];
       photograph.scale = entry.scale;
       photograph.integer = isInteger(image.sourceType);
+      noteStatement(entry.file, image.colors);
       if (photographs_.empty()) capture.metadata = image.metadata;
       photographs_.push_back(std::move(photograph));
       capture.sources.push_back({entry.file, image.contentHash});
     }
     return {};
+  }
+
+  // Remembers a file that says of itself that it is not linear, as capture.json declares it.
+  void noteStatement(const std::string& file, const FileColors& colors) {
+    for (const ColorStatement& statement : colors.statements) {
+      if (statement.space.empty() || statement.space.isLinear()) continue;
+      if (notLinear_ == 0)
+        against_ =
+            "'" + file + "' is " + statement.space.name + ", as " + statement.origin + " says";
+      ++notLinear_;
+      return;
+    }
+  }
+
+  void compareWithDeclaration() const {
+    if (notLinear_ == 0) return;
+    const std::size_t others = notLinear_ - 1;
+    std::string sentence = "the capture declares its photographs linear, but " + against_;
+    if (others > 0) {
+      sentence += " (and " + std::to_string(others) + (others == 1 ? " other is" : " others are") +
+                  " not linear either)";
+    }
+    context_.say(manifest_.photographs.front().path.parent_path().string() + ": " + sentence +
+                 "; they are read as linear, which makes skin darker or lighter than it is if they "
+                 "are not");
   }
 
   Status checkSize(const ImageHeader& header, const CapturePhotograph& entry) {
@@ -103,6 +131,15 @@ class CaptureReader {
                       "the photograph is " + sizeText(header.width, header.height) + " but '" +
                           manifest_.photographs.front().file + "' is " + sizeText(width_, height_) +
                           "; all photographs must have the same size");
+  }
+
+  // What cannot be read as colours holds no numbers of a camera either.
+  static Status checkStorage(const ImageHeader& header, const CapturePhotograph& entry) {
+    const auto& statements = header.colors.statements;
+    if (statements.empty() || statements.front().source != ColorSource::storage) return {};
+    return inputError(entry.path.string(),
+                      "a photograph of a capture holds the numbers of its camera, and this one is "
+                      "stored in other colours; save it as linear RGB");
   }
 
   Status readTheMask() {
@@ -161,6 +198,8 @@ class CaptureReader {
   int width_ = 0;
   int height_ = 0;
   std::vector<Photograph> photographs_;
+  std::size_t notLinear_ = 0;  // photographs that contradict the declaration
+  std::string against_;        // what the first of them says
   Plane mask_;
 };
 

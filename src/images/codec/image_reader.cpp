@@ -1,6 +1,7 @@
 #include "src/images/codec/image_reader.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "core/base/parallel.h"
@@ -87,6 +88,17 @@ Status checkLayout(const OIIO::ImageSpec& spec, const std::string& place) {
   return {};
 }
 
+// The channels as they are once they are converted.
+void nameConverted(ImagePart& part) {
+  auto& names = part.spec.channelnames;
+  names.erase(names.begin(), names.begin() + part.otherColors->channels);
+  names.insert(names.begin(), {"R", "G", "B"});
+  part.spec.nchannels = static_cast<int>(names.size());
+  part.spec.channelformats.clear();
+  const int left = part.otherColors->channels - 3;
+  if (part.spec.alpha_channel >= 0) part.spec.alpha_channel -= left;
+}
+
 Rect rectOf(int x, int y, int width, int height) {
   return {x, y, x + width, y + height};
 }
@@ -136,6 +148,13 @@ Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
       return reader.damaged(reader.input_->geterror());
     }
     reader.input_->geterror();  // what did not keep it from opening
+    if (needsRawColors(kind, spec)) {
+      hints.attribute("oiio:RawColor", 1);
+      reader.input_->close();
+      if (!reader.input_->open(reader.place_, spec, hints)) {
+        return reader.damaged(reader.input_->geterror());
+      }
+    }
     if (kind == ImageFileKind::openExr) {
       reader.partCount_ = std::max(1, spec.get_int_attribute("oiio:subimages", 1));
     }
@@ -163,6 +182,9 @@ Result<ImagePart> ImageReader::part(int index) try {
                                   " are not supported; convert to 8 or 16 bit, half or float");
   }
   part.type = *type;
+  part.storedChannels = spec.nchannels;
+  part.otherColors = storedColorsOf(kind_, spec, place_);
+  if (part.otherColors && part.otherColors->toLinearRec709) nameConverted(part);
   part.name = std::string(spec.get_string_attribute("oiio:subimagename"));
   part.stored = rectOf(spec.x, spec.y, spec.width, spec.height);
   part.window = part.stored;
@@ -177,7 +199,7 @@ Result<ImagePart> ImageReader::part(int index) try {
 Result<ImageReader::Chunks> ImageReader::divide(const ImagePart& part) const {
   Chunks chunks;
   chunks.rowBytes = static_cast<std::size_t>(part.spec.width) *
-                    static_cast<std::size_t>(part.spec.nchannels) * transferType(part).size();
+                    static_cast<std::size_t>(part.storedChannels) * transferType(part).size();
   const auto rowBytes = static_cast<std::int64_t>(chunks.rowBytes);
   if (part.spec.tile_width > 0) {
     chunks.rowsPerStep = part.spec.tile_height;
@@ -202,9 +224,9 @@ Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::vector<
   const bool read =
       spec.tile_width > 0
           ? input_->read_tiles(part.index, 0, spec.x, spec.x + spec.width, y0, y1, 0, 1, 0,
-                               spec.nchannels, transferType(part), buffer.data() + offset)
-          : input_->read_scanlines(part.index, 0, y0, y1, 0, 0, spec.nchannels, transferType(part),
-                                   buffer.data() + offset);
+                               part.storedChannels, transferType(part), buffer.data() + offset)
+          : input_->read_scanlines(part.index, 0, y0, y1, 0, 0, part.storedChannels,
+                                   transferType(part), buffer.data() + offset);
   // A cut-off TIFF or JPEG reads with success; only the message says so.
   const std::string message = input_->geterror();
   if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
@@ -221,7 +243,7 @@ Status storeChannel(const ImagePart& part, const std::byte* rows, const Rect& ch
                     Plane& plane) {
   const Rect seen = intersection(chunk, part.window);
   if (seen.empty()) return {};
-  const auto channels = static_cast<std::size_t>(part.spec.nchannels);
+  const auto channels = static_cast<std::size_t>(part.storedChannels);
   const auto width = static_cast<std::size_t>(seen.width());
   std::vector<float> values(seen.pixelCount());
   for (int y = seen.y0; y < seen.y1; ++y) {
@@ -253,12 +275,64 @@ Status storeChunk(const ImagePart& part, const std::byte* rows, const Rect& chun
   });
 }
 
+// R, G and B in place of the stored colours, which are the first planes.
+Status convertTile(const StoredColors& colors, const Rect& rect, const std::vector<Plane>& stored,
+                   std::vector<Plane>& rgb) {
+  const auto channels = static_cast<std::size_t>(colors.channels);
+  std::vector<float> plane(rect.pixelCount()), samples(channels * plane.size()),
+      light(3 * plane.size());
+  for (std::size_t c = 0; c < channels; ++c) {
+    CUTIS_CHECK(stored[c].load(rect, plane));
+    for (std::size_t p = 0; p < plane.size(); ++p)
+      samples[channels * p + c] = plane[p];
+  }
+  colors.toLinearRec709(samples, light);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t p = 0; p < plane.size(); ++p)
+      plane[p] = light[3 * p + c];
+    CUTIS_CHECK(rgb[c].store(rect, plane));
+  }
+  return {};
+}
+
+Result<std::vector<Plane>> convertColors(const StoredColors& colors, std::vector<Plane> stored,
+                                         const std::shared_ptr<TileStore>& store,
+                                         const JobContext& context) {
+  const Plane& size = stored.front();
+  std::vector<Plane> planes;
+  for (int c = 0; c < 3; ++c)
+    planes.emplace_back(size.width(), size.height(), PixelFormat::float32, store);
+  CUTIS_CHECK(parallelFor(
+      static_cast<std::size_t>(size.tileCount()), {context.stop, {}, {}}, [&](std::size_t i) {
+        return convertTile(colors, size.tileRect(static_cast<int>(i)), stored, planes);
+      }));
+  planes.insert(planes.end(), stored.begin() + colors.channels, stored.end());
+  return planes;
+}
+
 }  // namespace
 
 Result<std::vector<Plane>> ImageReader::read(const ImagePart& part, std::span<const int> channels,
                                              PixelFormat format,
                                              const std::shared_ptr<TileStore>& store,
-                                             const JobContext& context) try {
+                                             const JobContext& context) {
+  if (!part.otherColors || !part.otherColors->toLinearRec709)
+    return readStored(part, channels, format, store, context);
+  std::vector<int> all(static_cast<std::size_t>(part.storedChannels));
+  std::iota(all.begin(), all.end(), 0);
+  CUTIS_TRY(stored, readStored(part, all, PixelFormat::float32, store, context));
+  CUTIS_TRY(converted, convertColors(*part.otherColors, std::move(stored), store, context));
+  std::vector<Plane> planes;
+  for (const int channel : channels)
+    planes.push_back(converted[static_cast<std::size_t>(channel)]);
+  return planes;
+}
+
+Result<std::vector<Plane>> ImageReader::readStored(const ImagePart& part,
+                                                   std::span<const int> channels,
+                                                   PixelFormat format,
+                                                   const std::shared_ptr<TileStore>& store,
+                                                   const JobContext& context) try {
   if (kind_ == ImageFileKind::png) {
     CUTIS_CHECK(checkPngChunks(place_, PngExtent::whole, context));
   }

@@ -6,6 +6,7 @@
 // bounded by bands of rows, whatever the header asks for. Not thread-safe.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "core/base/plane.h"
 #include "src/images/codec/sample_type.h"
 #include "src/images/codec/source_file.h"
+#include "src/images/codec/stored_colors.h"
 
 namespace cutis {
 
@@ -33,7 +35,10 @@ struct ImagePart {
   // What is stored, in the same coordinates; the rest of the picture is 0.
   Rect stored;
   SampleType type = SampleType::uint8;
+  // With R, G and B where the file stores other colours.
   OIIO::ImageSpec spec;
+  std::optional<StoredColors> otherColors;
+  int storedChannels = 0;
 
   int width() const { return window.width(); }
   int height() const { return window.height(); }
@@ -62,6 +67,9 @@ class ImageReader {
 
   struct Chunks;
   Result<Chunks> divide(const ImagePart& part) const;
+  Result<std::vector<Plane>> readStored(const ImagePart& part, std::span<const int> channels,
+                                        PixelFormat format, const std::shared_ptr<TileStore>& store,
+                                        const JobContext& context);
   Status readRows(const ImagePart& part, int y0, int y1, std::vector<std::byte>& buffer,
                   std::size_t offset);
   Error damaged(const std::string& reason) const;

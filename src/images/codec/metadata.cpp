@@ -11,29 +11,28 @@ namespace cutis {
 
 struct ImageMetadata::Attributes {
   OIIO::ParamValueList values;
-  OIIO::ParamValueList colorProfile;  // one value, or none
 };
 
 namespace {
 
-constexpr char kColorProfile[] = "ICCProfile";
 constexpr std::size_t kLongestName = 128;
 constexpr int kLargestValueBytes = 1 << 16;
-constexpr std::size_t kLargestProfileBytes = std::size_t{1} << 24;
 constexpr std::size_t kMostValues = 1024;
 
 // What OpenImageIO and its formats say of the file itself, and our own attributes.
-constexpr std::array<std::string_view, 14> kStoragePrefixes = {
-    "oiio:",     "tiff:",          "png:",       "jpeg:",          "openexr:",
-    "bmp:",      "targa:",         "hdr:",       "iccprofile",     "cutis:",
-    "thumbnail", "exif:makernote", "exif:pixel", "exif:colorspace"};
+constexpr std::array<std::string_view, 15> kStoragePrefixes = {
+    "oiio:",     "tiff:",          "png:",       "jpeg:",           "openexr:",
+    "bmp:",      "targa:",         "hdr:",       "iccprofile",      "cutis:",
+    "thumbnail", "exif:makernote", "exif:pixel", "exif:colorspace", "exif:interoperability"};
 
 // Attributes with a fixed meaning or type in an EXR header, and others that name the storage.
-constexpr std::array<std::string_view, 34> kStorageNames = {"adoptedneutral",
+constexpr std::array<std::string_view, 36> kStorageNames = {"acesimagecontainerflag",
+                                                            "adoptedneutral",
                                                             "capdate",
                                                             "channels",
                                                             "chromaticities",
                                                             "chunkcount",
+                                                            "colorinteropid",
                                                             "colorspace",
                                                             "compression",
                                                             "compressionquality",
@@ -79,20 +78,6 @@ bool isPrintable(std::string_view name) {
                      [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
 }
 
-std::string_view profileBytes(const OIIO::ParamValue& value) {
-  return {static_cast<const char*>(value.data()), static_cast<std::size_t>(value.datasize())};
-}
-
-// Its length and its mark (ICC.1:2010, §7.2).
-bool isSoundProfile(std::string_view bytes) {
-  constexpr std::size_t kHeaderBytes = 128;
-  if (bytes.size() <= kHeaderBytes || bytes.size() > kLargestProfileBytes) return false;
-  std::size_t length = 0;
-  for (const char byte : bytes.substr(0, 4))
-    length = length << 8 | static_cast<unsigned char>(byte);
-  return length == bytes.size() && bytes.substr(36, 4) == "acsp";
-}
-
 std::size_t bytesOf(const OIIO::ParamValue& value) {
   if (value.type() == OIIO::TypeString) return value.get<OIIO::ustring>().size();
   return static_cast<std::size_t>(value.datasize());
@@ -101,7 +86,7 @@ std::size_t bytesOf(const OIIO::ParamValue& value) {
 }  // namespace
 
 bool ImageMetadata::empty() const {
-  return !attributes_ || (attributes_->values.empty() && attributes_->colorProfile.empty());
+  return !attributes_ || attributes_->values.empty();
 }
 
 std::vector<std::string> ImageMetadata::names() const {
@@ -119,17 +104,10 @@ std::optional<std::string> ImageMetadata::text(const std::string& name) const {
   return found->get_string();
 }
 
-bool ImageMetadata::hasColorProfile() const {
-  return attributes_ && !attributes_->colorProfile.empty();
-}
-
 ImageMetadata MetadataAccess::from(const OIIO::ImageSpec& spec) {
   auto attributes = std::make_shared<ImageMetadata::Attributes>();
   for (const OIIO::ParamValue& value : spec.extra_attribs) {
     const std::string_view name = value.name().c_str();
-    if (name == kColorProfile && isSoundProfile(profileBytes(value))) {
-      attributes->colorProfile.push_back(value);
-    }
     if (attributes->values.size() < kMostValues && isPrintable(name) && !isStorage(name) &&
         bytesOf(value) <= kLargestValueBytes) {
       attributes->values.push_back(value);
@@ -140,20 +118,9 @@ ImageMetadata MetadataAccess::from(const OIIO::ImageSpec& spec) {
   return metadata;
 }
 
-bool MetadataAccess::pngTakesProfile(const ImageMetadata& metadata) {
-  constexpr std::string_view kD50("\0\0\xf6\xd6\0\1\0\0\0\0\xd3\x2d", 12);
-  if (!metadata.hasColorProfile()) return true;
-  return profileBytes(metadata.attributes_->colorProfile.front()).substr(68, 12) == kD50;
-}
-
-void MetadataAccess::add(const ImageMetadata& metadata, bool withColorProfile,
-                         OIIO::ImageSpec& spec) {
+void MetadataAccess::add(const ImageMetadata& metadata, OIIO::ImageSpec& spec) {
   if (!metadata.attributes_) return;
   for (const OIIO::ParamValue& value : metadata.attributes_->values) {
-    spec.extra_attribs.add_or_replace(value);
-  }
-  if (!withColorProfile) return;
-  for (const OIIO::ParamValue& value : metadata.attributes_->colorProfile) {
     spec.extra_attribs.add_or_replace(value);
   }
 }

@@ -1,9 +1,10 @@
 #pragma once
 
-// What a picture carries besides its pixels: EXIF, copyright, description, colour profile. Kept as
-// it was read and handed on to what is made of the picture; nobody else looks inside.
+// What a picture carries besides its pixels: EXIF, copyright, description. Kept as it was read and
+// handed on to what is made of the picture; nobody else looks inside.
 //
-// What describes only the storage (compression, windows, sample types) is not part of it. A value
+// What describes only the storage (compression, windows, sample types) or the colours, which an
+// output states anew, is not part of it. A value
 // of this class never changes: copies share, threads may read.
 
 #include <memory>
@@ -22,8 +23,6 @@ class ImageMetadata {
   std::vector<std::string> names() const;
   // A value as text; nothing if there is none of that name ("Make", "Exif:DateTimeOriginal").
   std::optional<std::string> text(const std::string& name) const;
-  // An ICC profile of the pixels as they were read. A damaged one does not count.
-  bool hasColorProfile() const;
 
  private:
   friend struct MetadataAccess;

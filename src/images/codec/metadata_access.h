@@ -12,10 +12,7 @@ struct MetadataAccess {
   // Leaves out what describes storage, what a writer of EXR reserves, and single values too large
   // for a header.
   static ImageMetadata from(const OIIO::ImageSpec& spec);
-  // libpng refuses a profile whose illuminant is not D50 to the last digit, and says so on stderr.
-  static bool pngTakesProfile(const ImageMetadata& metadata);
-  // The colour profile goes along only if the pixels still are what it describes.
-  static void add(const ImageMetadata& metadata, bool withColorProfile, OIIO::ImageSpec& spec);
+  static void add(const ImageMetadata& metadata, OIIO::ImageSpec& spec);
 };
 
 }  // namespace cutis

@@ -1,6 +1,7 @@
 #include "src/images/codec/output_file.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cutis {
 
@@ -8,6 +9,11 @@ OutputFile::OutputFile(const std::filesystem::path& path)
     : IOProxy(path.string(), Write),
       stream_(path, std::ios::binary | std::ios::in | std::ios::out | std::ios::trunc),
       failed_(!stream_) {}
+
+void OutputFile::insert(int64_t offset, std::string bytes) {
+  insertAt_ = offset;
+  inserted_ = std::move(bytes);
+}
 
 bool OutputFile::failed() const {
   const std::scoped_lock lock(mutex_);
@@ -23,14 +29,14 @@ bool OutputFile::finish() {
 
 size_t OutputFile::write(const void* bytes, size_t count) {
   const std::scoped_lock lock(mutex_);
-  store(bytes, count, m_pos);
+  place(bytes, count, m_pos);
   m_pos += static_cast<int64_t>(count);
   return count;
 }
 
 size_t OutputFile::pwrite(const void* bytes, size_t count, int64_t offset) {
   const std::scoped_lock lock(mutex_);
-  store(bytes, count, offset);
+  place(bytes, count, offset);
   return count;
 }
 
@@ -48,6 +54,17 @@ size_t OutputFile::read(void* bytes, size_t count) {
 size_t OutputFile::size() const {
   const std::scoped_lock lock(mutex_);
   return static_cast<size_t>(end_);
+}
+
+void OutputFile::place(const void* bytes, size_t count, int64_t offset) {
+  const int64_t before = std::clamp<int64_t>(insertAt_ - offset, 0, static_cast<int64_t>(count));
+  const auto head = inserted_.empty() ? count : static_cast<size_t>(before);
+  if (head > 0) store(bytes, head, offset);
+  if (head == count) return;
+  const auto length = static_cast<int64_t>(inserted_.size());
+  store(inserted_.data(), inserted_.size(), insertAt_);
+  store(static_cast<const char*>(bytes) + head, count - head,
+        offset + static_cast<int64_t>(head) + length);
 }
 
 void OutputFile::store(const void* bytes, size_t count, int64_t offset) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <string>
 
 #include <OpenImageIO/filesystem.h>
 
@@ -18,6 +19,10 @@ namespace cutis {
 class OutputFile final : public OIIO::Filesystem::IOProxy {
  public:
   explicit OutputFile(const std::filesystem::path& path);
+
+  // Puts bytes into the file, before which so many of the writer's own lie; the writer does not see
+  // them. Called before anything is written, for writers that do not go back.
+  void insert(int64_t offset, std::string bytes);
 
   // Something could not be stored.
   bool failed() const;
@@ -32,11 +37,14 @@ class OutputFile final : public OIIO::Filesystem::IOProxy {
   size_t size() const override;
 
  private:
+  void place(const void* bytes, size_t count, int64_t offset);
   void store(const void* bytes, size_t count, int64_t offset);
 
   mutable std::mutex mutex_;
   std::fstream stream_;
   int64_t end_ = 0;
+  int64_t insertAt_ = 0;
+  std::string inserted_;
   bool failed_ = false;
 };
 

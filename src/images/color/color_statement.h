@@ -57,11 +57,14 @@ struct FileColors {
   // Pixels are converted while they are read (CIELab, inks, luminance and chroma): R, G and B are
   // linear Rec.709, and not what the file stores.
   bool isConverted = false;
+
+  // The name of the space that counts first; empty if the file says nothing that can be followed.
+  std::string stated() const { return statements.empty() ? "" : statements.front().space.name; }
 };
 
 struct ColorDecision {
   ColorStatement followed;
-  // "its colours are Display P3, as its cICP chunk says"
+  // "its colours are read as Display P3, according to its cICP chunk"
   std::string sentence;
   // A sentence for each statement that says something else.
   std::vector<std::string> contradictions;

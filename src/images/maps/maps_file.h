@@ -44,7 +44,7 @@ struct MapsAttributes {
   double specularShare = 0.0;  // reflection of the surface that was taken off the sources
   double exposure = 1.0;       // the sources were multiplied by this
   std::vector<SourceReference> sources;
-  std::string sourceColorSpace;  // canonical name, empty for photographs
+  std::string sourceColorSpace;  // its name, empty for photographs
 };
 
 struct MapsFile {

@@ -97,11 +97,11 @@ Status writeMaps(const std::filesystem::path& path, const MapsFile& file,
   for (OutputPart& part : parts) {
     plain.push_back(part.spec);
     // In all parts alike: EXR demands that some attributes do not differ between them.
-    MetadataAccess::add(file.metadata, false, part.spec);
+    MetadataAccess::add(file.metadata, part.spec);
   }
   return writeAtomically(path, [&](const std::filesystem::path& temporary) {
     return writeParts(temporary, path.string(), ImageFileKind::openExr, SampleType::float32, parts,
-                      plain, context);
+                      plain, {}, context);
   });
 }
 

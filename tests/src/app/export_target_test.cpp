@@ -40,10 +40,11 @@ class ExportTargetTest : public QObject {
     std::vector<std::string> notes;
     JobContext context;
     context.notice = [&](const std::string& note) { notes.push_back(note); };
-    const auto found = encodingFor({file.toStdString()}, &texture, "Display P3", context);
+    const auto found =
+        encodingFor({file.toStdString()}, &texture, builtInColorSpace("Display P3"), context);
     EXPECT_OK(found);
     QCOMPARE(int(found.value().sampleType), type);
-    QCOMPARE(QString::fromStdString(found.value().colorSpace), space);
+    QCOMPARE(QString::fromStdString(found.value().colorSpace.name), space);
     QCOMPARE(notes.size(), std::size_t{type == source ? 0u : 1u});
   }
 
@@ -54,7 +55,7 @@ class ExportTargetTest : public QObject {
     const auto found = encodingFor(target, nullptr, {}, {});
     EXPECT_OK(found);
     QVERIFY(found.value().sampleType == SampleType::float32);
-    QCOMPARE(found.value().colorSpace, std::string("ACEScg"));
+    QCOMPARE(found.value().colorSpace.name, std::string("ACEScg"));
   }
 
   void whatIsReadIsNotWrittenOver() {

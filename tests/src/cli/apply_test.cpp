@@ -1,7 +1,11 @@
 // apply to albedo textures: what is not edited is not touched.
 
+#include <cmath>
+
+#include "src/color/icc_profile.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
+#include "tests/support/icc_bytes.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis::test {
@@ -17,10 +21,10 @@ class ApplyTest : public QObject {
   void initTestCase() {
     run_.writeImage("skin.png", skinTexture(kWidth, kHeight, {"R", "G", "B"}), SampleType::uint8);
     ImageContent tiff = skinTexture(kWidth, kHeight, {"R", "G", "B", "A"});
-    tiff.colorSpace = "sRGB";
+    tiff.colorSpace = builtInColorSpace("sRGB");
     run_.writeImage("skin.tif", tiff, SampleType::uint16);
     ImageContent exr = skinTexture(kWidth, kHeight, {"R", "G", "B", "A", "pores"});
-    exr.colorSpace = "ACEScg";
+    exr.colorSpace = builtInColorSpace("ACEScg");
     run_.writeImage("skin.exr", exr, SampleType::half);
     // Right half.
     std::vector<float> mask;
@@ -46,11 +50,40 @@ class ApplyTest : public QObject {
     const Image same = run_.image("same." + extension.toStdString());
     QCOMPARE(same.channelNames, source.channelNames);
     QVERIFY(same.sourceType == source.sourceType);
-    QCOMPARE(same.colorSpace, source.colorSpace);
+    QCOMPARE(same.colors.stated(), source.colors.stated());
     for (std::size_t k = 0; k < source.channels.size(); ++k) {
       QVERIFY2(valuesOf(same.channels[k]) == valuesOf(source.channels[k]),
                source.channelNames[k].c_str());
     }
+  }
+
+  // Through curves and a matrix that no built-in space has.
+  void profilesOfTheSourceAreKeptToTheBit() {
+    const std::string profile =
+        matrixProfile(2, kRec2020.chromaticities,
+                      sampledTag(300, [](double v) { return std::pow(v, 1.9); }), "sRGB");
+    const auto read = readIccProfile(profile, "test");
+    EXPECT_OK(read);
+    ImageContent content = skinTexture(kWidth, kHeight, {"R", "G", "B"});
+    content.colorSpace = read.value().space;
+    for (const char* extension : {"png", "tif"}) {
+      const std::string source = std::string("icc.") + extension;
+      const std::string same = std::string("icc_same.") + extension;
+      run_.writeImage(source, content, SampleType::uint16);
+      const Outcome outcome = run_.run(QString::fromStdString("apply " + source + " -o " + same));
+      QCOMPARE(outcome.status, 0);
+      QVERIFY2(outcome.errors.find("its colours are read by its ICC profile 'sRGB'") !=
+                   std::string::npos,
+               outcome.errors.c_str());
+      const Image before = run_.image(source), after = run_.image(same);
+      for (std::size_t k = 0; k < 3; ++k)
+        QVERIFY(valuesOf(before.channels[k]) == valuesOf(after.channels[k]));
+      const ColorStatement& statement = after.colors.statements.front();
+      QVERIFY(statement.space.profile && *statement.space.profile == profile);
+    }
+    const Outcome info = run_.run("info icc.png");
+    QVERIFY(info.output.find("statement: its ICC profile 'sRGB': the space of the ICC profile "
+                             "'sRGB'") != std::string::npos);
   }
 
   void maskedEditLeavesTheRestAlone() {
@@ -58,7 +91,7 @@ class ApplyTest : public QObject {
         run_.run("apply skin.exr --maps maps.exr -o tanned.exr --melanin 2 "
                  "--mask mask.png"));
     const Image source = run_.image("skin.exr"), tanned = run_.image("tanned.exr");
-    QCOMPARE(tanned.colorSpace, std::string("ACEScg"));
+    QCOMPARE(tanned.colors.stated(), std::string("ACEScg"));
     for (std::size_t k = 0; k < source.channels.size(); ++k) {
       const std::vector<float> before = valuesOf(source.channels[k]);
       const std::vector<float> after = valuesOf(tanned.channels[k]);
@@ -89,7 +122,7 @@ class ApplyTest : public QObject {
     QCOMPARE(outcome.status, 0);
     QVERIFY2(outcome.errors.find("cutis-cli: note: ") == 0, outcome.errors.c_str());
     const Image written = run_.image("out.png");
-    QCOMPARE(written.colorSpace, std::string("sRGB"));
+    QCOMPARE(written.colors.stated(), std::string("sRGB"));
     QVERIFY(written.sourceType == SampleType::uint8);
   }
 

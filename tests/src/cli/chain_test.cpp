@@ -200,7 +200,7 @@ class ChainTest : public QObject {
     EXPECT_DONE(run_.run("render cap/maps.exr -o picture.png"));
     const Image picture = run_.image("picture.png");
     QVERIFY(picture.sourceType == SampleType::uint8);
-    QCOMPARE(picture.colorSpace, std::string("sRGB"));
+    QCOMPARE(picture.colors.stated(), std::string("sRGB"));
     const MapsFile maps = run_.maps("cap/maps.exr");
     const auto skin = parametersOf(maps.maps);
     const std::vector<float> states = valuesOf(maps.maps.state);

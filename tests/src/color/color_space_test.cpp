@@ -259,6 +259,26 @@ class ColorSpaceTest : public QObject {
     QCOMPARE(names.front(), std::string("sRGB"));
   }
 
+  // A studio's own sRGB is what the studio says; where both mean the same there is one name.
+  void configurationsComeBeforeBuiltIns() {
+    const QByteArray own = QByteArray(kStudioConfig).replace("name: studio", "name: sRGB");
+    useConfig(QByteArray(own).replace("scene_linear: studio", "scene_linear: sRGB"));
+    const auto space = namedColorSpace("sRGB", "test");
+    EXPECT_OK(space);
+    QCOMPARE(space.value().name, std::string("sRGB ($OCIO)"));
+    const Rgb twice = toLinear("sRGB", {0.1f, 0.2f, 0.3f});
+    const Rgb once = toLinear("ACES2065-1", {0.2f, 0.4f, 0.6f});
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(twice[k], once[k], 1e-6);
+    QCOMPARE(toLinear("sRGB ($OCIO)", {0.1f, 0.2f, 0.3f}), twice);
+    QCOMPARE(namedColorSpace("ACES2065-1", "test").value().name, std::string("ACES2065-1"));
+    QVERIFY(namedColorSpace("ACES2065-1", "test").value().matrix != nullptr);
+    // What a file calls sRGB is the standard's.
+    EXPECT_NEAR(builtInColorSpace("sRGB").matrix->curves[0].toLight(0.5), 0.214041140, 1e-7);
+    qunsetenv("OCIO");
+    EXPECT_ERROR(namedColorSpace("sRGB ($OCIO)", "test"), "unknown colour space");
+  }
+
   void oldConfigurationsAreTiedByTheirOwnRec709() {
     useConfig(kOldConfig);
     EXPECT_NEAR(toLinear("halved", {0.1f, 0.2f, 0.3f})[1], 0.4, 1e-6);

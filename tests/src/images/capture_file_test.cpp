@@ -86,6 +86,34 @@ class CaptureFileTest : public QObject {
     describe(kThreeLights);
   }
 
+  // Declared linear, and the files say sRGB; or linear, or nothing.
+  void declarationAndFilesAreCompared() {
+    const auto said = [&](const ColorSpace& space) {
+      ImageContent content;
+      content.channelNames = {"R", "G", "B"};
+      content.channels.assign(3, makePlane(20, 10, [](int, int) { return 0.5f; }));
+      content.colorSpace = space;
+      for (const char* name : {"white.png", "green.png"}) {
+        if (!writeImage(path(name), content, SampleType::uint16, {})) return std::string("failed");
+      }
+      describe(QByteArray(kThreeLights).replace("white.exr", "white.png"), "green.exr",
+               "green.png");
+      test::Listener listener;
+      const auto capture = readCapture(folder_->root(), {}, nullptr, listener.context());
+      if (!capture) return capture.error().text();
+      return listener.sentences.empty() ? std::string() : listener.sentences.front();
+    };
+    QCOMPARE(said({}), std::string());
+    QCOMPARE(said(builtInColorSpace("Linear Rec.709")), std::string());
+    const std::string note = said(builtInColorSpace("sRGB"));
+    QVERIFY2(
+        note.find("the capture declares its photographs linear, but 'white.png' is sRGB, as "
+                  "its sRGB chunk says (and 1 other is not linear either)") != std::string::npos,
+        note.c_str());
+    QVERIFY(said(builtInColorSpace("Display P3")).find("is Display P3, as its cICP chunk says") !=
+            std::string::npos);
+  }
+
   void channelsComeInTheOrderOfTheRig() {
     for (const fs::path& name : {folder_->root(), path("capture.json")}) {
       const auto capture = read(name);

@@ -142,13 +142,13 @@ class ForeignImageTest : public QObject {
     const float p3[8] = {0.68f, 0.32f, 0.265f, 0.69f, 0.15f, 0.06f, 0.3127f, 0.329f};
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), p3);
     test::writeForeign(folder_.path("p3.exr"), "openexr", spec, std::vector<float>(48, 0.5f));
-    QCOMPARE(readImageHeader(folder_.path("p3.exr"), {}).value().colorSpace,
+    QCOMPARE(readImageHeader(folder_.path("p3.exr"), {}).value().colors.stated(),
              std::string("Linear P3-D65"));
     const float odd[8] = {0.8f, 0.2f, 0.3f, 0.6f, 0.1f, 0.1f, 0.33f, 0.33f};
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), odd);
     test::writeForeign(folder_.path("odd.exr"), "openexr", spec, std::vector<float>(48, 0.5f));
-    QCOMPARE(readImageHeader(folder_.path("odd.exr"), {}).value().colorSpace,
-             std::string("unknown primaries"));
+    QCOMPARE(readImageHeader(folder_.path("odd.exr"), {}).value().colors.stated(),
+             std::string("linear RGB of the primaries 0.8 0.2 0.3 0.6 0.1 0.1 0.33 0.33"));
   }
 };
 

@@ -263,11 +263,11 @@ class ImageFileTest : public QObject {
   void colorSpacesAreFoundAgain() {
     ImageContent content = makeContent(4, 4, {"R", "G", "B"});
     const auto spaceAfter = [&](const char* file, SampleType type, const char* space) {
-      content.colorSpace = space;
+      content.colorSpace = *space == 0 ? ColorSpace() : builtInColorSpace(space);
       test::Listener listener;
       const auto path = folder_.path(file);
       if (!writeImage(path, content, type, listener.context())) return std::string("not written");
-      const std::string found = readImageHeader(path, {}).value().colorSpace;
+      const std::string found = readImageHeader(path, {}).value().colors.stated();
       return listener.sentences.empty() ? found : "said: " + found;
     };
     const auto is = [&](const char* file, SampleType type, const char* space, const char* found) {
@@ -278,11 +278,13 @@ class ImageFileTest : public QObject {
     is("c.exr", SampleType::half, "Linear Rec.709", "Linear Rec.709");
     is("c.exr", SampleType::half, "", "");
     is("c.png", SampleType::uint8, "sRGB", "sRGB");
-    is("c.png", SampleType::uint16, "Linear Rec.709", "Linear");
+    is("c.png", SampleType::uint16, "Linear Rec.709", "Linear Rec.709");
     is("c.png", SampleType::uint16, "ACEScg", "ACEScg");
     is("c.tif", SampleType::uint16, "sRGB", "sRGB");
-    is("c.tif", SampleType::float32, "Linear Rec.709", "");
-    is("c.tif", SampleType::float32, "ACEScg", "said: ");
+    is("c.tif", SampleType::float32, "Linear Rec.709", "Linear Rec.709");
+    is("c.tif", SampleType::float32, "ACEScg", "ACEScg");
+    is("c.tif", SampleType::float32, "Raw", "said: ");
+    is("c.jpg", SampleType::uint8, "Display P3", "Display P3");
     is("c.jpg", SampleType::uint8, "sRGB", "sRGB");
   }
 

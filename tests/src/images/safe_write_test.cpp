@@ -38,45 +38,18 @@ class FullDisk {
   void (*previous_)(int) = nullptr;
 };
 
-// A profile with nothing but a description, as ICC.1:2010 lays it out.
-QByteArray tinyProfile(const QByteArray& description) {
-  const auto number = [](quint32 n) {
-    QByteArray bytes(4, '\0');
-    for (int i = 0; i < 4; ++i)
-      bytes[i] = static_cast<char>(n >> (24 - 8 * i));
-    return bytes;
-  };
-  const quint32 textSize = 12 + static_cast<quint32>(description.size()) + 1;
-  const QByteArray text = "desc" + number(0) +
-                          number(static_cast<quint32>(description.size()) + 1) + description +
-                          QByteArray(1 + 78, '\0');
-  QByteArray profile(128, '\0');
-  profile.replace(8, 4, number(0x02400000));
-  profile.replace(12, 12, "mntrRGB XYZ ");
-  profile.replace(36, 4, "acsp");
-  profile.replace(68, 12, number(0xf6d6) + number(0x10000) + number(0xd32d));  // D50
-  profile += number(1) + "desc" + number(144) + number(textSize + 78) + text;
-  profile.replace(0, 4, number(static_cast<quint32>(profile.size())));
-  return profile;
-}
-
 class SafeWriteTest : public QObject {
   Q_OBJECT
 
   ImageFolder folder_;
 
-  Image cameraPhotograph(const QByteArray& profile = {}) {
+  Image cameraPhotograph() {
     OIIO::ImageSpec spec(16, 16, 3, OIIO::TypeUInt8);
     spec.attribute("Make", "Canon");
     spec.attribute("Model", "EOS R");
     spec.attribute("Exif:DateTimeOriginal", "2024:01:02 03:04:05");
     spec.attribute("ExposureTime", 0.008f);
     spec.attribute("Copyright", "somebody");
-    if (!profile.isEmpty()) {
-      spec.attribute("ICCProfile",
-                     OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
-                     profile.constData());
-    }
     test::writeForeign(folder_.path("camera.jpg"), "jpeg", spec, test::noise(16 * 16 * 3));
     return readImage(folder_.path("camera.jpg"), {PixelFormat::float32}, nullptr, {}).value();
   }
@@ -189,61 +162,8 @@ class SafeWriteTest : public QObject {
         QVERIFY2(name.find(storage) == std::string::npos, name.c_str());
       }
     }
-    QVERIFY(!ImageMetadata().hasColorProfile() && ImageMetadata().empty());
+    QVERIFY(ImageMetadata().empty());
     QVERIFY(ImageMetadata().names().empty() && !ImageMetadata().text("Make"));
-  }
-
-  void profilesTravelOnlyWithTheirPixels() {
-    const Image camera = cameraPhotograph(tinyProfile("Display P3"));
-    QVERIFY(camera.metadata.hasColorProfile());
-    QCOMPARE(camera.colorSpace, std::string("Display P3"));
-    ImageContent content = contentOf(camera);
-    for (const char* file : {"icc.tif", "icc.png", "icc.jpg"}) {
-      content.keepColorProfile = true;
-      EXPECT_OK(writeImage(folder_.path(file), content, SampleType::uint8, {}));
-      auto header = readImageHeader(folder_.path(file), {});
-      QVERIFY(header.value().metadata.hasColorProfile());
-      QCOMPARE(header.value().colorSpace, std::string("Display P3"));
-      content.keepColorProfile = false;
-      EXPECT_OK(writeImage(folder_.path(file), content, SampleType::uint8, {}));
-      header = readImageHeader(folder_.path(file), {});
-      QVERIFY(!header.value().metadata.hasColorProfile());
-    }
-  }
-
-  void pngLeavesOutWhatItRefuses() {
-    QByteArray profile = tinyProfile("Display P3");
-    profile[79] = 0x2b;  // the illuminant of some old profiles
-    ImageContent content = contentOf(cameraPhotograph(profile));
-    content.keepColorProfile = true;
-    for (const auto& [file, kept] :
-         {std::pair{"old.png", false}, std::pair{"old.tif", true}, std::pair{"old.jpg", true}}) {
-      test::Listener listener;
-      EXPECT_OK(writeImage(folder_.path(file), content, SampleType::uint8, listener.context()));
-      const auto header = readImageHeader(folder_.path(file), {});
-      EXPECT_OK(header);
-      QCOMPARE(header.value().metadata.hasColorProfile(), kept);
-      QCOMPARE(header.value().metadata.text("Make").value_or(""), std::string("Canon"));
-      QCOMPARE(listener.sentences.size(), std::size_t{kept ? 0u : 1u});
-    }
-  }
-
-  void damagedProfilesAreLeftOut() {
-    const QByteArray sound = tinyProfile("Display P3");
-    for (const int at : {3, 36}) {  // length, mark
-      QByteArray damaged = sound;
-      damaged[at] = static_cast<char>(damaged[at] + 1);
-      QVERIFY(!cameraPhotograph(damaged).metadata.hasColorProfile());
-    }
-    QVERIFY(!cameraPhotograph("short").metadata.hasColorProfile());
-  }
-
-  void profilesAreKnownByTheirDescription() {
-    for (const auto& [description, space] :
-         {std::pair{"sRGB IEC61966-2.1", "sRGB"}, std::pair{"Adobe RGB (1998)", "Adobe RGB (1998)"},
-          std::pair{"EPSON sRGB", "sRGB"}, std::pair{"My monitor", "My monitor"}}) {
-      QCOMPARE(cameraPhotograph(tinyProfile(description)).colorSpace, std::string(space));
-    }
   }
 
   // Names that mean something else in an EXR header, names and values of absurd size.

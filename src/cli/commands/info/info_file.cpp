@@ -134,15 +134,34 @@ Result<std::string> describeCapture(const std::string& path, const Session& sess
   return text + line("pixels", states);
 }
 
+std::string colorsText(const FileColors& colors, const std::string& path) {
+  std::string text;
+  const auto decided = decideColors(colors, {}, path);
+  if (decided.failed()) {
+    text += line("colours", decided.error().message);
+  } else if (decided) {
+    const ColorDecision& decision = decided.value();
+    text += line("colour space",
+                 colors.statements.empty() ? "not stated in the file" : colors.stated());
+    text += line("colours", decision.sentence);
+    for (const std::string& contradiction : decision.contradictions)
+      text += line("contradiction", contradiction);
+  }
+  for (const ColorStatement& statement : colors.statements) {
+    text += line("statement",
+                 statement.origin + ": " +
+                     (statement.space.empty() ? statement.objection : statement.space.name));
+  }
+  return text;
+}
+
 Result<std::string> describeImage(const std::string& path, const Session& session) {
   CUTIS_TRY(header, readImageHeader(path, session.context));
   std::string text = line("kind", "image");
   text += line("size", sizeText(header.width, header.height));
   text += line("channels", listOf(header.channelNames));
   text += line("samples", sampleTypeName(header.sourceType));
-  text += line("colour space",
-               header.colorSpace.empty() ? "not stated in the file" : header.colorSpace);
-  text += line("colour profile", header.metadata.hasColorProfile() ? "embedded" : "");
+  text += colorsText(header.colors, path);
   for (const char* name : {"Make", "Model", "DateTime", "ImageDescription", "Copyright"}) {
     text += line(name, header.metadata.text(name).value_or(""));
   }

@@ -1,0 +1,29 @@
+#pragma once
+
+// What an output says of its colours: an ICC profile in JPEG, TIFF and PNG, chunks of PNG, EXIF
+// and, in OpenEXR, chromaticities and our own attribute cutis:colorspace.
+
+#include <string>
+
+#include <OpenImageIO/imageio.h>
+
+#include "src/color/color_space.h"
+#include "src/images/codec/image_formats.h"
+
+namespace cutis {
+
+struct StatedColors {
+  // Whether a reader will find the space again.
+  bool complete = true;
+  // Whole chunks to be put behind IHDR of a PNG file.
+  std::string pngChunks = {};
+};
+
+// Whether a file of this kind with colours can say that they are of this space.
+bool canStateColors(ImageFileKind kind, const ColorSpace& space);
+
+// Writes the statement into the header and takes out of it what is not true of this space. An empty
+// space says nothing.
+StatedColors stateColors(ImageFileKind kind, const ColorSpace& space, OIIO::ImageSpec& spec);
+
+}  // namespace cutis
