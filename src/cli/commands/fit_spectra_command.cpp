@@ -13,8 +13,8 @@
 #include "src/cli/output_check.h"
 #include "src/cli/standard_output.h"
 #include "src/files/io/atomic_write.h"
-#include "src/files/spectra/measured_spectra_file.h"
 #include "src/files/profiles/profile_file.h"
+#include "src/files/spectra/measured_spectra_file.h"
 
 namespace cutis {
 namespace {

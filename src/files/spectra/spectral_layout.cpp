@@ -9,25 +9,8 @@ namespace cutis {
 
 namespace {
 
-// Headings are looked for so far down, and wavelengths so far to the right.
-constexpr std::size_t kMostHeaderRows = 1000;
-constexpr std::size_t kMostLeadingColumns = 3;
-// Numbers side by side that make a row of wavelengths below other text.
-constexpr std::size_t kFewestInRow = 3;
-constexpr double kEnough = 0.5;
 // No wavelength of light that a heading in micrometres could mean.
 constexpr double kImplausibleNm = 50000.0;
-
-std::size_t widthOf(const CsvRow& row) {
-  std::size_t width = row.fields.size();
-  while (width > 0 && row.fields[width - 1].empty())
-    --width;
-  return width;
-}
-
-std::string_view fieldOf(const CsvRow& row, std::size_t column) {
-  return column < row.fields.size() ? row.fields[column] : std::string_view();
-}
 
 bool beginsLikeNumber(std::string_view field) {
   return !field.empty() && field.front() >= '0' && field.front() <= '9';
@@ -48,57 +31,42 @@ class LayoutFinder {
  public:
   LayoutFinder(const CsvTable& table, const NumberFormat& numbers, const LayoutOptions& options,
                const std::string& place)
-      : options_(options), place_(place) {
+      : options_(options), place_(place), filled_(table) {
     format_.numbers = numbers;
     format_.labelled = options.labelled;
-    dropEmpty(table);
     layout_.place_ = place;
   }
 
   Result<SpectralLayout> find() {
     if (rows_.empty()) return inputError(place_, "the file has no rows; begin with wavelengths");
     CUTIS_CHECK(takeUnit());
-    if (!choose() && !options_.labelled) {
+    auto found = findWavelengths(filled_, options_.preferred);
+    if (!found) {
       format_.labelled = true;
-      if (!choose()) return nothingFound();
+      found = findWavelengths(filled_, options_.preferred);
     }
-    layout_.inColumns_ = inColumns_;
-    CUTIS_CHECK(inColumns_ ? layOutColumns() : layOutRows());
+    if (!found) return nothingFound();
+    wavelengths_ = *found;
+    layout_.inColumns_ = wavelengths_.inColumn;
+    CUTIS_CHECK(wavelengths_.inColumn ? layOutColumns() : layOutRows());
     CUTIS_CHECK(checkScale());
     return std::move(layout_);
   }
 
  private:
-  const CsvRow& row(std::size_t r) const { return *rows_[r]; }
+  const CsvRow& row(std::size_t r) const { return filled_.row(r); }
+  bool looks(const CsvRow& row, std::size_t column) const { return filled_.looks(row, column); }
+  bool isNumber(std::string_view field) const { return filled_.isNumber(field); }
 
   std::string at(const CsvRow& row) const { return place_ + ":" + std::to_string(row.line); }
   std::string at(const CsvRow& row, std::size_t column) const {
     return at(row) + ", column " + std::to_string(column + 1);
   }
 
-  // Rows without content, and the columns on the left that nothing stands in.
-  void dropEmpty(const CsvTable& table) {
-    rows_.reserve(table.size());
-    left_ = std::string_view::npos;
-    for (const CsvRow& row : table) {
-      if (widthOf(row) == 0) continue;
-      rows_.push_back(&row);
-      std::size_t first = 0;
-      while (row.fields[first].empty())
-        ++first;
-      left_ = std::min(left_, first);
-    }
-  }
-
-  bool looks(const CsvRow& row, std::size_t column) const {
-    return looksLikeWavelength(fieldOf(row, column), format_);
-  }
-  bool isNumber(std::string_view field) const { return format_.numbers.parse(field).has_value(); }
-
   // The lowest heading above the numbers that names a unit.
   Status takeUnit() {
     for (std::size_t r = 0; r < std::min(rows_.size(), kMostHeaderRows); ++r) {
-      for (std::size_t c = left_; c < left_ + kMostLeadingColumns; ++c) {
+      for (std::size_t c = filled_.left; c < filled_.left + kMostLeadingColumns; ++c) {
         const std::string_view field = fieldOf(row(r), c);
         if (field.empty() || widthOf(row(r)) < 2 || !isWavelengthHeading(withoutBlanks(field)) ||
             isNumber(field)) {
@@ -115,130 +83,11 @@ class LayoutFinder {
                       "the heading names wavenumbers; convert them to wavelengths in nm");
   }
 
-  double shareInRow(const CsvRow& header) const {
-    const std::size_t width = widthOf(header);
-    if (width < left_ + 2) return 0.0;
-    std::size_t count = 0;
-    for (std::size_t c = left_ + 1; c < width; ++c)
-      count += looks(header, c) ? 1 : 0;
-    return static_cast<double>(count) / static_cast<double>(width - left_ - 1);
-  }
-
-  double shareInColumn(std::size_t from, std::size_t column) const {
-    if (from >= rows_.size()) return 0.0;
-    std::size_t count = 0;
-    for (std::size_t r = from; r < rows_.size(); ++r)
-      count += looks(row(r), column) ? 1 : 0;
-    return static_cast<double>(count) / static_cast<double>(rows_.size() - from);
-  }
-
-  // Longest run of rows whose field of this column is a wavelength, with something beside it.
-  struct Run {
-    std::size_t first = 0, count = 0;
-  };
-  Run longestRun(std::size_t column) const {
-    Run longest, current;
-    for (std::size_t r = 0; r < rows_.size(); ++r) {
-      if (!looks(row(r), column) || widthOf(row(r)) < column + 2) {
-        current.count = 0;
-        continue;
-      }
-      if (current.count++ == 0) current.first = r;
-      if (current.count > longest.count) longest = current;
-    }
-    return longest;
-  }
-
-  bool headedAbove(std::size_t end, std::size_t column) const {
-    for (std::size_t r = 0; r < end; ++r) {
-      if (isWavelengthHeading(fieldOf(row(r), column)) && widthOf(row(r)) > column + 1) return true;
-    }
-    return false;
-  }
-
-  // A row below other text whose wavelengths stand side by side, above rows as wide.
-  bool isRowOfWavelengths(std::size_t r) const {
-    std::size_t run = 0, longest = 0, count = 0;
-    for (std::size_t c = left_; c < row(r).fields.size(); ++c) {
-      run = looks(row(r), c) ? run + 1 : 0;
-      count += run > 0 ? 1 : 0;
-      longest = std::max(longest, run);
-    }
-    const bool enough = longest >= kFewestInRow || (count >= 2 && shareInRow(row(r)) >= kEnough);
-    return enough && r + 1 < rows_.size() && 2 * widthOf(row(r + 1)) > widthOf(row(r));
-  }
-
-  bool chooseColumn(std::size_t column, const Run& run) {
-    inColumns_ = true;
-    wavelengthColumn_ = column;
-    run_ = run;
-    return true;
-  }
-  bool chooseRow(std::size_t r) {
-    inColumns_ = false;
-    headerRow_ = r;
-    return true;
-  }
-
-  // Decides where the wavelengths are; false if there are none.
-  bool choose() {
-    const CsvRow& first = row(0);
-    const Run run = longestRun(left_);
-    const double inRow = shareInRow(first), inColumn = shareInColumn(1, left_);
-    if (std::max(inRow, inColumn) >= kEnough && widthOf(first) >= left_ + 2) {
-      const bool tied = inRow == inColumn;
-      const bool columnsWin = tied ? options_.preferred == Orientation::columns ||
-                                         isWavelengthHeading(first.fields[left_])
-                                   : inColumn > inRow;
-      if (!columnsWin) return chooseRow(0);
-      if (run.first <= 1 && run.count > 0 && !isNumbering(first)) return chooseColumn(left_, run);
-    }
-    return chooseBelowText(run);
-  }
-
-  // Whether a column further right is headed as wavelengths, so that the first only numbers rows.
-  bool isNumbering(const CsvRow& header) const {
-    if (isWavelengthHeading(fieldOf(header, left_))) return false;
-    for (std::size_t c = left_ + 1; c < left_ + kMostLeadingColumns; ++c) {
-      if (isWavelengthHeading(fieldOf(header, c)) && looks(row(1), c)) return true;
-    }
-    return false;
-  }
-
-  bool chooseBelowText(const Run& firstColumn) {
-    std::size_t column = left_;
-    Run run = firstColumn;
-    for (std::size_t c = left_ + 1; c < left_ + kMostLeadingColumns; ++c) {
-      const Run other = longestRun(c);
-      const bool headed = headedAbove(other.first, c) && !headedAbove(run.first, column);
-      if (other.count >= 2 && (run.count < 2 || headed)) {
-        column = c;
-        run = other;
-      }
-    }
-    std::optional<std::size_t> header;
-    for (std::size_t r = 0; !header && r < std::min(rows_.size(), kMostHeaderRows); ++r) {
-      if (isRowOfWavelengths(r)) header = r;
-    }
-    const bool inColumn = run.count >= 2 || (run.count == 1 && headedAbove(run.first, column));
-    if (!inColumn) return header && chooseRow(*header);
-    if (!header || *header > run.first) return chooseColumn(column, run);
-    // Wavelengths above numbered rows, or counts beside wavelengths.
-    const double rowShare = shareInRow(row(*header));
-    const double columnShare = shareInColumn(*header + 1, column);
-    const bool headed = headedAbove(run.first, column);
-    if (headed || columnShare > rowShare ||
-        (columnShare == rowShare && options_.preferred == Orientation::columns)) {
-      return chooseColumn(column, run);
-    }
-    return chooseRow(*header);
-  }
-
   Error nothingFound() const {
     std::size_t widest = 0;
     for (const CsvRow* row : rows_)
       widest = std::max(widest, widthOf(*row));
-    if (widest < left_ + 2) {
+    if (widest < filled_.left + 2) {
       return inputError(at(row(0)),
                         "there is one column only; separate wavelengths and values by commas, "
                         "semicolons or tabs");
@@ -256,7 +105,7 @@ class LayoutFinder {
   // --- One spectrum a row -------------------------------------------------------------------
 
   Status layOutRows() {
-    const CsvRow& header = row(headerRow_);
+    const CsvRow& header = row(wavelengths_.headerRow);
     layout_.headerPlace = at(header);
     layout_.width_ = header.fields.size();
     std::size_t first = 0;
@@ -285,8 +134,8 @@ class LayoutFinder {
 
   // An empty heading above values belongs to a wavelength that is missing.
   bool isMissingHeading(std::size_t column) const {
-    if (!row(headerRow_).fields[column].empty()) return false;
-    for (std::size_t r = headerRow_ + 1; r < rows_.size(); ++r) {
+    if (!row(wavelengths_.headerRow).fields[column].empty()) return false;
+    for (std::size_t r = wavelengths_.headerRow + 1; r < rows_.size(); ++r) {
       if (!fieldOf(row(r), column).empty()) return true;
     }
     return false;
@@ -303,13 +152,13 @@ class LayoutFinder {
   }
 
   Status takeRows(std::size_t first) {
-    const CsvRow& header = row(headerRow_);
+    const CsvRow& header = row(wavelengths_.headerRow);
     const auto named = std::find_if(header.fields.begin(),
                                     header.fields.begin() + static_cast<std::ptrdiff_t>(first),
                                     isIdentifierHeading);
     const auto place = static_cast<std::size_t>(named - header.fields.begin());
-    const std::size_t idColumn = place < first ? place : left_;
-    for (std::size_t r = headerRow_ + 1; r < rows_.size(); ++r) {
+    const std::size_t idColumn = place < first ? place : filled_.left;
+    for (std::size_t r = wavelengths_.headerRow + 1; r < rows_.size(); ++r) {
       if (widthOf(row(r)) > header.fields.size()) return wrongWidth(row(r));
       layout_.spectrumRows_.push_back(&row(r));
       layout_.names.emplace_back(first > 0 ? fieldOf(row(r), idColumn) : std::string_view());
@@ -343,12 +192,12 @@ class LayoutFinder {
     return nameColumns(width);
   }
 
-  bool isPlain(const CsvRow& row) const { return isNumber(fieldOf(row, wavelengthColumn_)); }
+  bool isPlain(const CsvRow& row) const { return isNumber(fieldOf(row, wavelengths_.column)); }
 
   // Something that looks like a row of data, whatever its wavelength is.
   bool looksLikeData(const CsvRow& candidate) const {
-    if (widthOf(candidate) < wavelengthColumn_ + 2) return false;
-    for (std::size_t c = wavelengthColumn_ + 1; c < candidate.fields.size(); ++c) {
+    if (widthOf(candidate) < wavelengths_.column + 2) return false;
+    for (std::size_t c = wavelengths_.column + 1; c < candidate.fields.size(); ++c) {
       if (!candidate.fields[c].empty() && isNumber(candidate.fields[c])) return true;
     }
     return false;
@@ -363,24 +212,25 @@ class LayoutFinder {
   // Rows with wavelengths. Plain numbers stand together, and what is between or beside them must be
   // one, too; cells with units or labels may stand between other entries of an instrument.
   Status collectColumn(std::vector<Found>& found) {
-    const bool plain = isPlain(row(run_.first));
+    const bool plain = isPlain(row(wavelengths_.run.first));
     firstRow_ = plain ? firstPlainRow() : 0;
     if (plain && firstRow_ > 0 && looksLikeData(row(firstRow_ - 1)) &&
-        beginsLikeNumber(fieldOf(row(firstRow_ - 1), wavelengthColumn_)) &&
+        beginsLikeNumber(fieldOf(row(firstRow_ - 1), wavelengths_.column)) &&
         widthOf(row(firstRow_ - 1)) == widthOf(row(firstRow_))) {
-      return notAWavelength(row(firstRow_ - 1), wavelengthColumn_);
+      return notAWavelength(row(firstRow_ - 1), wavelengths_.column);
     }
     for (std::size_t r = firstRow_; r < rows_.size(); ++r) {
-      const std::string_view field = fieldOf(row(r), wavelengthColumn_);
+      const std::string_view field = fieldOf(row(r), wavelengths_.column);
       const auto wavelength = wavelengthOf(field, format_);
       const bool isOne =
-          wavelength && (plain || (!isNumber(field) && looks(row(r), wavelengthColumn_)));
+          wavelength && (plain || (!isNumber(field) && looks(row(r), wavelengths_.column)));
       if (isOne) {
         if (found.empty()) firstRow_ = r;
-        found.push_back({*wavelength, &row(r), wavelengthColumn_});
-      } else if (plain ? r < run_.first + run_.count || looksLikeData(row(r))
-                       : beginsLikeNumber(field) && looksLikeData(row(r)) && !isNumber(field)) {
-        return notAWavelength(row(r), wavelengthColumn_);
+        found.push_back({*wavelength, &row(r), wavelengths_.column});
+      } else if (plain
+                     ? r < wavelengths_.run.first + wavelengths_.run.count || looksLikeData(row(r))
+                     : beginsLikeNumber(field) && looksLikeData(row(r)) && !isNumber(field)) {
+        return notAWavelength(row(r), wavelengths_.column);
       }
     }
     return {};
@@ -388,13 +238,13 @@ class LayoutFinder {
 
   // From the first row of data, as wide as those of the longest run.
   std::size_t firstPlainRow() const {
-    for (std::size_t r = 0; r < run_.first; ++r) {
-      if (isPlain(row(r)) && looks(row(r), wavelengthColumn_) && looksLikeData(row(r)) &&
-          widthOf(row(r)) == widthOf(row(run_.first))) {
+    for (std::size_t r = 0; r < wavelengths_.run.first; ++r) {
+      if (isPlain(row(r)) && looks(row(r), wavelengths_.column) && looksLikeData(row(r)) &&
+          widthOf(row(r)) == widthOf(row(wavelengths_.run.first))) {
         return r;
       }
     }
-    return run_.first;
+    return wavelengths_.run.first;
   }
 
   // An instrument that writes its spectrum twice, in coarser and in finer steps, begins anew.
@@ -425,15 +275,15 @@ class LayoutFinder {
   // The row with the names of the columns, if there is one.
   const CsvRow* namesRow(std::size_t width) {
     const auto isNames = [&](const CsvRow& candidate) {
-      if (widthOf(candidate) < wavelengthColumn_ + 2) return false;
-      for (std::size_t c = wavelengthColumn_ + 1; c < width; ++c) {
+      if (widthOf(candidate) < wavelengths_.column + 2) return false;
+      for (std::size_t c = wavelengths_.column + 1; c < width; ++c) {
         if (isUnitOnly(fieldOf(candidate, c))) continue;
         return !fieldOf(candidate, c).empty();
       }
       return false;
     };
     for (std::size_t r = firstRow_; r-- > 0;) {
-      const std::string first = loweredText(fieldOf(row(r), wavelengthColumn_));
+      const std::string first = loweredText(fieldOf(row(r), wavelengths_.column));
       const bool headed = isWavelengthHeading(first) || isIdentifierHeading(first) ||
                           first == "data name" || first == "title" || first == "sample name";
       // Beside cells with units a number is a reading of the instrument and no name.
@@ -467,7 +317,7 @@ class LayoutFinder {
         if (widthOf(*row) > header.fields.size()) return wrongWidth(*row);
       }
     }
-    if (width < wavelengthColumn_ + 2) {
+    if (width < wavelengths_.column + 2) {
       return inputError(layout_.headerPlace,
                         "there is one column only; separate wavelengths and values by commas, "
                         "semicolons or tabs");
@@ -476,7 +326,7 @@ class LayoutFinder {
   }
 
   bool namesUnits() const {
-    return firstRow_ > 0 && isUnitOnly(fieldOf(row(firstRow_ - 1), wavelengthColumn_));
+    return firstRow_ > 0 && isUnitOnly(fieldOf(row(firstRow_ - 1), wavelengths_.column));
   }
 
   // Columns that at least one row has a value in.
@@ -499,7 +349,7 @@ class LayoutFinder {
 
   Status chooseColumns(const CsvRow* names, std::size_t width) {
     std::vector<std::string> counts;
-    for (std::size_t c = wavelengthColumn_ + 1; c < width; ++c) {
+    for (std::size_t c = wavelengths_.column + 1; c < width; ++c) {
       const std::string_view name = names != nullptr ? fieldOf(*names, c) : std::string_view();
       const std::string_view unit = unitBelow(names, c);
       if (name.empty() && isEmptyColumn(c)) continue;
@@ -560,14 +410,11 @@ class LayoutFinder {
 
   LayoutOptions options_;
   const std::string& place_;
-  WavelengthFormat format_;
+  FilledTable filled_;
+  WavelengthFormat& format_ = filled_.format;
+  const std::vector<const CsvRow*>& rows_ = filled_.rows;
   std::string unitPlace_;
-  std::vector<const CsvRow*> rows_;
-  std::size_t left_ = 0;
-  bool inColumns_ = false;
-  std::size_t headerRow_ = 0;
-  std::size_t wavelengthColumn_ = 0;
-  Run run_;
+  WavelengthPlace wavelengths_;
   std::size_t firstRow_ = 0;
   SpectralLayout layout_;
 };

@@ -9,12 +9,9 @@
 
 #include "core/base/result.h"
 #include "src/files/io/csv.h"
-#include "src/files/spectra/wavelength_text.h"
+#include "src/files/spectra/wavelength_search.h"
 
 namespace cutis {
-
-// What one spectrum a row or one a column is taken for where both would do and no heading decides.
-enum class Orientation { rows, columns };
 
 struct LayoutOptions {
   Orientation preferred = Orientation::rows;
