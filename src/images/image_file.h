@@ -28,6 +28,7 @@
 #include "core/base/result.h"
 #include "src/images/codec/metadata.h"
 #include "src/images/codec/sample_type.h"
+#include "src/images/color/color_statement.h"
 
 namespace cutis {
 
@@ -39,6 +40,8 @@ struct ImageHeader {
   SampleType sourceType = SampleType::uint8;  // the widest of the channels
   // What the file says; may be empty, and a name nobody knows.
   std::string colorSpace;
+  // All that it says of its colours.
+  FileColors colors;
   ImageMetadata metadata;
 
   // -1 if there is none of that name.
