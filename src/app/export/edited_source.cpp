@@ -1,6 +1,5 @@
 #include "src/app/export/edited_source.h"
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "core/render/render_picture.h"
 #include "src/app/open/photograph_part.h"
 #include "src/color/color_space.h"
+#include "src/images/pixels/alpha.h"
 
 namespace cutis {
 namespace {
@@ -73,10 +73,11 @@ class SourceEditor {
     if (!source_.image) return {};
     CUTIS_TRY(to, toLinearRec709(source_.colorSpace, source_.name));
     toLinear_ = std::move(to);
-    for (std::size_t c = 0; c < 3; ++c) {
-      constexpr std::array<const char*, 3> names = {"R", "G", "B"};
-      const int index = source_.image->channelIndex(names[c]);
-      stored_.push_back(source_.image->channels[static_cast<std::size_t>(index)]);
+    const ImageLayer& layer = source_.image->layer;
+    for (const int color : *layer.colors)
+      stored_.push_back(source_.image->channels[static_cast<std::size_t>(color)]);
+    if (layer.alpha >= 0 && source_.image->alphaKind == AlphaKind::associated) {
+      multipliedBy_ = source_.image->channels[static_cast<std::size_t>(layer.alpha)];
     }
     return {};
   }
@@ -91,6 +92,7 @@ class SourceEditor {
     Channels result = changed.channels;
     multiply(1.0f / exposure_, result);
     CUTIS_CHECK(convert(fromLinear_, result));
+    CUTIS_CHECK(changeByAlpha(multiplyByAlpha, rect, result));
     if (sameSpace_) restoreUnchanged(linear, changed.channels, stored, result);
     for (std::size_t c = 0; c < 3; ++c)
       CUTIS_CHECK(edited[c].store(rect, result[c]));
@@ -108,8 +110,20 @@ class SourceEditor {
     for (std::size_t c = 0; c < 3; ++c)
       CUTIS_CHECK(stored_[c].load(rect, stored[c]));
     Channels linear = stored;
+    CUTIS_CHECK(changeByAlpha(divideByAlpha, rect, linear));
     CUTIS_CHECK(convert(toLinear_, linear));
     return linear;
+  }
+
+  // Colours of an associated alpha are straight in between.
+  template <typename Change>
+  Status changeByAlpha(const Change& change, const Rect& rect, Channels& channels) const {
+    if (multipliedBy_.empty()) return {};
+    std::vector<float> alpha(rect.pixelCount());
+    CUTIS_CHECK(multipliedBy_.load(rect, alpha));
+    for (std::vector<float>& channel : channels)
+      change(channel, alpha);
+    return {};
   }
 
   const Source& source_;
@@ -121,6 +135,7 @@ class SourceEditor {
   ColorConverter toLinear_;
   ColorConverter fromLinear_;
   std::vector<Plane> stored_;
+  Plane multipliedBy_;  // alpha of associated colours
 };
 
 // All channels of the source, the three colours replaced.
@@ -135,10 +150,11 @@ ImageContent contentOf(const Source& source, const std::vector<Plane>& edited,
   content.keepColorProfile = source.colorSpace == space && source.metadata.hasColorProfile();
   content.channelNames = source.image->channelNames;
   content.channels = source.image->channels;
-  for (std::size_t c = 0; c < 3; ++c) {
-    constexpr std::array<const char*, 3> names = {"R", "G", "B"};
-    content.channels[static_cast<std::size_t>(source.image->channelIndex(names[c]))] = edited[c];
-  }
+  for (std::size_t c = 0; c < 3; ++c)
+    content.channels[static_cast<std::size_t>((*source.image->layer.colors)[c])] = edited[c];
+  content.alphaKind = source.image->alphaKind;
+  content.source = *source.image;
+  content.sourceHash = source.image->contentHash;
   return content;
 }
 

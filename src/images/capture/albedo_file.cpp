@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,21 +22,26 @@ Status checkRig(const Rig& rig) {
                         rig.name + "' is not; use the rig 'albedo' or name a capture");
 }
 
-Result<std::array<std::size_t, 3>> colorChannels(const ImageHeader& image,
-                                                 const std::string& place) {
-  constexpr std::array<const char*, 3> names = {"R", "G", "B"};
-  std::array<std::size_t, 3> channels = {};
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    const int index = image.channelIndex(names[c]);
-    if (index < 0) {
-      const bool grey = image.channelNames.size() <= 2;
-      return inputError(place, std::string("the image is ") +
-                                   (grey ? "grey" : "without the channels R, G and B") +
-                                   "; skin needs its colours, save it as a colour image");
-    }
-    channels[c] = static_cast<std::size_t>(index);
+Status checkHasColors(const ImageHeader& image, const std::vector<ImageLayer>& layers,
+                      const std::string& place) {
+  if (image.layer.colors) return {};
+  const bool severalLayers = layers.size() > 1;
+  const bool othersHave = std::any_of(layers.begin(), layers.end(),
+                                      [](const ImageLayer& layer) { return layer.colors; });
+  if (severalLayers && othersHave) {
+    std::vector<ImageLayer> colored;
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(colored),
+                 [](const ImageLayer& layer) { return layer.colors.has_value(); });
+    const std::string what = image.layer.name.empty() ? "the image has no plain channels R, G and B"
+                                                      : "the layer '" + image.layer.name +
+                                                            "' has no red, green and blue";
+    return inputError(place, what + "; choose a layer with colours: " + layerNames(colored));
   }
-  return channels;
+  const bool grey = image.channelNames.size() <= 2 && !severalLayers;
+  return inputError(place, std::string("the image is ") +
+                               (grey ? "grey" : "without the channels R, G and B") +
+                               (severalLayers ? " (it has " + layerNames(layers) + ")" : "") +
+                               "; skin needs its colours, save it as a colour image");
 }
 
 std::string defaultSpace(SampleType type) {
@@ -65,16 +71,17 @@ Result<Conversion> conversionFor(const Image& image, const AlbedoOptions& option
 
 class AlbedoReader {
  public:
-  AlbedoReader(Albedo& albedo, std::array<std::size_t, 3> channels, RgbConversion toLinear,
-               Plane mask)
-      : albedo_(albedo), channels_(channels), toLinear_(std::move(toLinear)), mask_(mask) {
+  AlbedoReader(Albedo& albedo, RgbConversion toLinear, Plane mask)
+      : albedo_(albedo), toLinear_(std::move(toLinear)), mask_(std::move(mask)) {
     const Rig& rig = albedo.measurements.rig;
     const Eigen::Vector3d white = whitePoint(rig.lights.front().power, rig.camera.sensor);
     const Eigen::Matrix3d matrix = white.cwiseInverse().asDiagonal() * xyzFromRec709(white);
     matrix_ = matrix.cast<float>();
     clips_ = isInteger(albedo.source.sourceType);
-    const int alpha = albedo.source.channelIndex("A");
-    if (alpha >= 0) alpha_ = albedo.source.channels[static_cast<std::size_t>(alpha)];
+    const ImageLayer& layer = albedo.source.layer;
+    for (std::size_t c = 0; c < 3; ++c)
+      colors_[c] = albedo.source.channels[static_cast<std::size_t>((*layer.colors)[c])];
+    if (layer.alpha >= 0) alpha_ = albedo.source.channels[static_cast<std::size_t>(layer.alpha)];
   }
 
   Status measure(const std::shared_ptr<TileStore>& store, const JobContext& context) {
@@ -94,15 +101,17 @@ class AlbedoReader {
     const std::size_t pixels = rect.pixelCount();
     std::vector<float> plane(pixels), rgb(3 * pixels), mask(pixels, 1.0f), alpha(pixels, 1.0f);
     std::vector<char> clipped(pixels, 0);
+    if (!alpha_.empty()) CUTIS_CHECK(alpha_.load(rect, alpha));
+    const bool multiplied = albedo_.source.alphaKind == AlphaKind::associated;
     for (std::size_t c = 0; c < 3; ++c) {
-      CUTIS_CHECK(albedo_.source.channels[channels_[c]].load(rect, plane));
+      CUTIS_CHECK(colors_[c].load(rect, plane));
+      if (multiplied) divideByAlpha(plane, alpha);
       for (std::size_t p = 0; p < pixels; ++p) {
         rgb[3 * p + c] = plane[p];
         if (clips_ && plane[p] >= 1.0f) clipped[p] = 1;
       }
     }
     if (!mask_.empty()) CUTIS_CHECK(mask_.load(rect, mask));
-    if (!alpha_.empty()) CUTIS_CHECK(alpha_.load(rect, alpha));
     CUTIS_CHECK(toLinear_(rgb));
     std::vector<float> state(pixels);
     for (std::size_t p = 0; p < pixels; ++p) {
@@ -126,7 +135,7 @@ class AlbedoReader {
   }
 
   Albedo& albedo_;
-  std::array<std::size_t, 3> channels_;
+  std::array<Plane, 3> colors_;
   RgbConversion toLinear_;
   Plane mask_;
   Plane alpha_;
@@ -141,25 +150,25 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
                           const std::shared_ptr<TileStore>& store, const JobContext& context) {
   CUTIS_CHECK(checkRig(rig));
   const std::string place = path.string();
-  std::array<std::size_t, 3> channels = {};
-  const auto accept = [&](const ImageHeader& header) -> Status {
-    CUTIS_TRY(found, colorChannels(header, place));
-    channels = found;
-    return {};
-  };
-  CUTIS_TRY(image, readImage(path, {{}, accept}, store, context.child(0.0, 0.7)));
+  CUTIS_TRY(layers, listLayers(path, context));
+  const ImageReadOptions reading = {
+      .accept = [&](const ImageHeader& header) { return checkHasColors(header, layers, place); },
+      .layer = options.layer,
+      .overscan = true};
+  CUTIS_TRY(image, readImage(path, reading, store, context.child(0.0, 0.7)));
   CUTIS_TRY(conversion, conversionFor(image, options, toLinearRec709, place));
   Plane mask;
   if (!options.mask.empty()) {
-    CUTIS_TRY(read, readMask(options.mask, image.width, image.height, "'" + place + "'", store,
-                             context.child(0.7, 0.75)));
+    const MaskedPicture picture = {image.width, image.height, "'" + place + "'",
+                                   image.frame.display, image.orientation};
+    CUTIS_TRY(read, readMask(options.mask, picture, store, context.child(0.7, 0.75)));
     mask = read;
   }
   Albedo albedo;
   albedo.source = std::move(image);
   albedo.colorSpace = conversion.space;
   albedo.measurements.rig = rig;
-  AlbedoReader reader(albedo, channels, conversion.toLinear, mask);
+  AlbedoReader reader(albedo, conversion.toLinear, mask);
   CUTIS_CHECK(reader.measure(store, context.child(0.75, 1.0)));
   return albedo;
 }

@@ -6,7 +6,8 @@
 // white, so that each channel of the rig reads 1 for a perfect diffuser, and neutral texels read
 // the same in all three. Colours outside the spectral gamut (negative X, Y or Z) are invalid,
 // texels with alpha 0 are masked (gutters between UDIM islands), texels with a channel at the end
-// of an integer range are saturated. Otherwise alpha is not looked at.
+// of an integer range are saturated. Colours that are stored multiplied by alpha are divided by it
+// first. What an OpenEXR file stores around its display window is part of the texture.
 
 #include <filesystem>
 #include <functional>
@@ -32,6 +33,7 @@ struct AlbedoOptions {
   // Empty: what the file says, else sRGB for integers and linear Rec.709 for floats.
   std::string colorSpace = {};
   std::filesystem::path mask = {};  // may be empty
+  std::string layer = {};           // of an OpenEXR file, see src/images/image_layers.h
 };
 
 struct Albedo {

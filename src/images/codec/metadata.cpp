@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 14> kStoragePrefixes = {
     "thumbnail", "exif:makernote", "exif:pixel", "exif:colorspace"};
 
 // Attributes with a fixed meaning or type in an EXR header, and others that name the storage.
-constexpr std::array<std::string_view, 34> kStorageNames = {"adoptedneutral",
+constexpr std::array<std::string_view, 35> kStorageNames = {"adoptedneutral",
                                                             "capdate",
                                                             "channels",
                                                             "chromaticities",
@@ -46,6 +46,7 @@ constexpr std::array<std::string_view, 34> kStorageNames = {"adoptedneutral",
                                                             "maxsamplesperpixel",
                                                             "multiview",
                                                             "name",
+                                                            "orientation",
                                                             "pixelaspectratio",
                                                             "planarconfig",
                                                             "preview",

@@ -43,6 +43,15 @@ ImageContent makeContent(int width, int height, const std::vector<std::string>& 
 // A file as other programs write it, through OpenImageIO itself; samples are interleaved.
 void writeForeign(const std::filesystem::path& path, const std::string& format,
                   const OIIO::ImageSpec& spec, const std::vector<float>& samples);
+// A part of an OpenEXR file, all of whose samples are the number of the part and a tenth for each
+// channel before.
+struct ForeignPart {
+  std::string name;
+  std::vector<std::string> channels;
+};
+void writeForeignParts(const std::filesystem::path& path, const std::vector<ForeignPart>& parts);
+// Says in a PNG file, by a chunk eXIf, how its picture lies.
+void addPngOrientation(const std::filesystem::path& path, int tag);
 // Interleaved noise in [0, 1].
 std::vector<float> noise(std::size_t count, unsigned seed = 1);
 
