@@ -1,6 +1,5 @@
 #include "src/app/export/edited_source.h"
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "core/render/render_picture.h"
 #include "src/app/open/photograph_part.h"
 #include "src/color/color_space.h"
+#include "src/images/pixels/alpha.h"
 
 namespace cutis {
 namespace {
@@ -71,10 +71,11 @@ class SourceEditor {
     fromLinear_ = space.fromLinearRec709;
     if (!source_.image) return;
     toLinear_ = source_.colors.followed.space.toLinearRec709;
-    for (std::size_t c = 0; c < 3; ++c) {
-      constexpr std::array<const char*, 3> names = {"R", "G", "B"};
-      const int index = source_.image->channelIndex(names[c]);
-      stored_.push_back(source_.image->channels[static_cast<std::size_t>(index)]);
+    const ImageLayer& layer = source_.image->layer;
+    for (const int color : *layer.colors)
+      stored_.push_back(source_.image->channels[static_cast<std::size_t>(color)]);
+    if (layer.alpha >= 0 && source_.image->alphaKind == AlphaKind::associated) {
+      multipliedBy_ = source_.image->channels[static_cast<std::size_t>(layer.alpha)];
     }
   }
 
@@ -88,6 +89,7 @@ class SourceEditor {
     Channels result = changed.channels;
     multiply(1.0f / exposure_, result);
     CUTIS_CHECK(convert(fromLinear_, result));
+    CUTIS_CHECK(changeByAlpha(multiplyByAlpha, rect, result));
     if (sameSpace_) restoreUnchanged(linear, changed.channels, stored, result);
     for (std::size_t c = 0; c < 3; ++c)
       CUTIS_CHECK(edited[c].store(rect, result[c]));
@@ -105,8 +107,20 @@ class SourceEditor {
     for (std::size_t c = 0; c < 3; ++c)
       CUTIS_CHECK(stored_[c].load(rect, stored[c]));
     Channels linear = stored;
+    CUTIS_CHECK(changeByAlpha(divideByAlpha, rect, linear));
     CUTIS_CHECK(convert(toLinear_, linear));
     return linear;
+  }
+
+  // Colours of an associated alpha are straight in between.
+  template <typename Change>
+  Status changeByAlpha(const Change& change, const Rect& rect, Channels& channels) const {
+    if (multipliedBy_.empty()) return {};
+    std::vector<float> alpha(rect.pixelCount());
+    CUTIS_CHECK(multipliedBy_.load(rect, alpha));
+    for (std::vector<float>& channel : channels)
+      change(channel, alpha);
+    return {};
   }
 
   const Source& source_;
@@ -118,6 +132,7 @@ class SourceEditor {
   ColorConverter toLinear_;
   ColorConverter fromLinear_;
   std::vector<Plane> stored_;
+  Plane multipliedBy_;  // alpha of associated colours
 };
 
 // All channels of the source, the three colours replaced.
@@ -131,10 +146,12 @@ ImageContent contentOf(const Source& source, const std::vector<Plane>& edited,
   if (!source.image) return content;
   content.channelNames = source.image->channelNames;
   content.channels = source.image->channels;
-  for (std::size_t c = 0; c < 3; ++c) {
-    constexpr std::array<const char*, 3> names = {"R", "G", "B"};
-    content.channels[static_cast<std::size_t>(source.image->channelIndex(names[c]))] = edited[c];
-  }
+  for (std::size_t c = 0; c < 3; ++c)
+    content.channels[static_cast<std::size_t>((*source.image->layer.colors)[c])] = edited[c];
+  content.alphaKind = source.image->alphaKind;
+  content.source = *source.image;
+  content.isSourceSpace = source.colors.followed.space.name == space.name;
+  content.sourceHash = source.image->contentHash;
   return content;
 }
 

@@ -18,12 +18,29 @@ const ColorSpace& usualSpace(SampleType type) {
   return builtInColorSpace(isInteger(type) ? "sRGB" : "Linear Rec.709");
 }
 
+// What else holds samples of a type: the next wider one first, then what narrows them least.
+std::vector<SampleType> standIns(SampleType type) {
+  using enum SampleType;
+  switch (type) {
+    case uint8:
+      return {uint8, uint16, half, float32};
+    case uint16:
+      return {uint16, float32, half, uint8};
+    case half:
+      return {half, float32, uint16, uint8};
+    default:
+      return {float32, uint16, half, uint8};
+  }
+}
+
 Result<SampleType> sampleTypeFor(const ExportTarget& target, const ImageHeader* image) {
   CUTIS_TRY(types, writableSampleTypes(target.path));
   if (target.sampleType) return *target.sampleType;
-  const bool holdsOwn =
-      image != nullptr && std::find(types.begin(), types.end(), image->sourceType) != types.end();
-  return holdsOwn ? image->sourceType : types.front();
+  if (image == nullptr) return types.front();
+  for (const SampleType type : standIns(image->sourceType)) {
+    if (std::find(types.begin(), types.end(), type) != types.end()) return type;
+  }
+  return types.front();
 }
 
 Status checkIsNoInput(const ExportTarget& target) {

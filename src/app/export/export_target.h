@@ -17,8 +17,8 @@ namespace cutis {
 
 struct ExportTarget {
   std::filesystem::path path;  // its extension names the format (src/images/codec/image_formats.h)
-  // The sample type of a picture; none: the source's where the format has it, else the most usual
-  // of the format.
+  // The sample type of a picture; none: the source's where the format has it, else the next that
+  // holds more, else the one that holds least less; without a source the most usual of the format.
   std::optional<SampleType> sampleType = {};
   // The colour space of a picture, a name of src/color; empty: the source's where both or neither
   // are integers and the format can say so, else sRGB in integers and Linear Rec.709 in floats.

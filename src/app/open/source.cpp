@@ -46,7 +46,8 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
     return usageError("--exposure", "the exposure must be a positive number");
   }
   CUTIS_TRY(rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, "--rig"));
-  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask}, rig, store, context));
+  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask, options.layer}, rig, store,
+                               context));
   Source source;
   source.name = titleOf(path);
   source.measurements = std::move(albedo.measurements);
@@ -57,6 +58,7 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
   source.colors = std::move(albedo.colors);
   source.measurements.exposure = options.exposure;
   source.metadata = albedo.source.metadata;
+  source.orientation = albedo.source.orientation;
   source.references = {{path.filename().string(), albedo.source.contentHash}};
   source.image = std::move(albedo.source);
   const Eigen::Vector3d white = whitePoint(rig.lights.front().power, rig.camera.sensor);
@@ -67,6 +69,9 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
 Result<Source> openCapture(const std::filesystem::path& path, const SourceOptions& options,
                            const SkinModel& model, const std::shared_ptr<TileStore>& store,
                            const JobContext& context) {
+  if (!options.layer.empty()) {
+    return usageError("--layer", "the layer is chosen of a single image; leave this out");
+  }
   if (!options.colorSpace.empty() || options.exposure != 1.0) {
     return usageError(options.colorSpace.empty() ? "--exposure" : "--colorspace",
                       "a capture is linear and calibrated; this is for single images");
@@ -80,6 +85,7 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
   CUTIS_CHECK(removeSurfaceReflection(options.surface, store, {context.stop, {}, context.notice},
                                       source.measurements));
   source.metadata = std::move(capture.metadata);
+  source.orientation = capture.orientation;
   source.references = std::move(capture.sources);
   CUTIS_TRY(matrix, daylightMatrix(source.measurements.rig, model));
   source.toRec709 = matrix;
@@ -87,6 +93,13 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
 }
 
 }  // namespace
+
+MaskedPicture maskedPicture(const Source& source, const std::string& name) {
+  MaskedPicture picture = {source.measurements.width(), source.measurements.height(), name};
+  picture.orientation = source.orientation;
+  if (source.image) picture.display = source.image->frame.display;
+  return picture;
+}
 
 Result<Source> openSource(const std::filesystem::path& path, const SourceOptions& options,
                           const SkinModel& model, const std::shared_ptr<TileStore>& store,

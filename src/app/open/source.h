@@ -16,6 +16,7 @@
 #include "core/rig/measurements.h"
 #include "core/skin/model/measurement_geometry.h"
 #include "core/skin/model/skin_model.h"
+#include "src/images/capture/mask_file.h"
 #include "src/images/image_file.h"
 #include "src/images/source_reference.h"
 
@@ -26,6 +27,7 @@ struct SourceOptions {
   std::vector<std::string> lights;  // of a capture; empty: all
   std::filesystem::path mask;       // empty: the capture's own, if any
   // The following are of an albedo texture.
+  std::string layer;       // of an OpenEXR file; see src/images/image_layers.h
   std::string colorSpace;  // empty: what the file says, see src/images/color/color_statement.h
   double exposure = 1.0;   // multiplies the linear values; positive
   // How the photographs of a capture see the skin: the surface's reflection is taken off them
@@ -41,12 +43,18 @@ struct Source {
   ColorDecision colors;         // of the image: what its numbers mean, and who says so
   MeasurementGeometry surface;  // that was taken off the photographs
   ImageMetadata metadata;
+  // How the file holds what stands upright here: of a texture itself, of a capture the first
+  // photograph.
+  Orientation orientation = Orientation::upright;
   std::vector<SourceReference> references;
   // First light's three channels to linear Rec.709 of the same skin under D65. Exact for an
   // observer under D65; for a camera the least-squares matrix over skin of the model, with the
   // perfect diffuser kept white.
   Eigen::Matrix3d toRec709 = Eigen::Matrix3d::Identity();
 };
+
+// What a mask for this source has to fit, under a name for sentences.
+MaskedPicture maskedPicture(const Source& source, const std::string& name);
 
 // A capture's folder or capture.json, or an image. Errors are sentences about the file.
 Result<Source> openSource(const std::filesystem::path& path, const SourceOptions& options,

@@ -1,12 +1,14 @@
 // apply: a texture or capture to its edited albedo.
 
 #include <algorithm>
+#include <optional>
 
 #include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/fit_source.h"
 #include "src/cli/commands/maps_input.h"
 #include "src/cli/options/edit_options.h"
+#include "src/cli/options/option_values.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/codec/image_formats.h"
 #include "src/images/image_file.h"
@@ -19,6 +21,7 @@ struct ApplyCommand {
   std::string output;
   std::string maps;
   std::string colorSpace;
+  std::string bitDepth;
   bool pure = false;
   EditOptions edit;
   FitCommandOptions fit;
@@ -31,7 +34,9 @@ Status checkSources(const ApplyCommand& command) {
   if (command.sources.front().ends_with(".cutis")) {
     return usageError(command.sources.front(), "projects are not in this version");
   }
-  const std::string given = firstGiven(command.fit);
+  FitCommandOptions fitting = command.fit;
+  fitting.layer.clear();  // chosen of the source, whoever fitted it
+  const std::string given = firstGiven(fitting);
   if (!command.maps.empty() && !given.empty() && given != "--profile") {
     return usageError(given, "with --maps nothing is fitted; leave this out");
   }
@@ -70,6 +75,7 @@ Result<EditedAlbedo> openWithMaps(const ApplyCommand& command, const Session& se
   CUTIS_TRY(opened, openMaps(command.maps, command.fit.profile, session, context.child(0.0, 0.5)));
   const std::string& path = command.sources.front();
   SourceOptions options;
+  options.layer = command.fit.layer;
   if (!looksLikeCapture(path)) {
     CUTIS_TRY(choice, choiceOfMaps(path, opened.file.attributes.sourceColorSpace, session.context));
     options.colorSpace = choice;
@@ -103,8 +109,10 @@ Result<EditedAlbedo> fitNow(const ApplyCommand& command, const FitRequest& reque
   return EditedAlbedo{{fitted.model, fitted.planes.maps, {}}, fitted.source};
 }
 
-ExportTarget appliedTargetOf(const ApplyCommand& command, const FitRequest& request) {
+ExportTarget appliedTargetOf(const ApplyCommand& command, const FitRequest& request,
+                             std::optional<SampleType> sampleType) {
   ExportTarget target = {.path = command.output,
+                         .sampleType = sampleType,
                          .colorSpace = command.colorSpace,
                          .inputs = filesRead(request),
                          .sources = {command.sources.front()}};
@@ -117,14 +125,16 @@ Status runApplyCommand(const ApplyCommand& command, Session& session) {
   CUTIS_CHECK(checkSources(command));
   CUTIS_TRY(edit, parseEdit(command.edit));
   CUTIS_TRY(request, parseFitOptions(command.fit));
-  const ExportTarget target = appliedTargetOf(command, request);
+  CUTIS_TRY(sampleType, bitDepth("--bit-depth", command.bitDepth));
+  const ExportTarget target = appliedTargetOf(command, request, sampleType);
   CUTIS_CHECK(checkPictureTarget(target));
   const JobContext& context = session.context;
   CUTIS_TRY(albedo, command.maps.empty()
                         ? fitNow(command, request, session)
                         : openWithMaps(command, session, context.child(0.0, 0.6, "reading")));
-  CUTIS_CHECK(loadEditMask(command.edit, albedo.skin.width(), albedo.skin.height(),
-                           command.sources.front(), session.store, context.child(0.6, 0.62), edit));
+  CUTIS_CHECK(loadEditMask(command.edit,
+                           maskedPicture(*albedo.source, "'" + command.sources.front() + "'"),
+                           session.store, context.child(0.6, 0.62), edit));
   albedo.skin.edits = {edit};
   albedo.pure = command.pure;
   return exportTo(target, albedo, session.engine, session.store, context.child(0.62, 1.0));
@@ -156,6 +166,11 @@ void addApplyCommand(CLI::App& app, Invocation& invocation) {
                   "Colour space to write (default: the source's; of a capture Linear Rec.709 in "
                   "floats, sRGB in integers)")
       ->type_name("NAME");
+  command
+      .add_option("--bit-depth", options->bitDepth,
+                  "Samples to write: half or float in OpenEXR, 8, 16 or float in TIFF, 8 or 16 in "
+                  "PNG, 8 in JPEG (default: the source's, else the next that holds more)")
+      ->type_name("half|float|8|16");
   addEditOptions(command, options->edit);
   addFitOptions(command, options->fit);
 }

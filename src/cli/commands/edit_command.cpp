@@ -37,7 +37,8 @@ Status runEditCommand(const EditCommand& command, Session& session) {
   CUTIS_TRY(opened,
             openMaps(command.maps, command.profile, session, context.child(0.0, 0.4, "reading")));
   MapsFile& file = opened.file;
-  CUTIS_CHECK(loadEditMask(command.edit, file.maps.width(), file.maps.height(), command.maps,
+  CUTIS_CHECK(loadEditMask(command.edit,
+                           {file.maps.width(), file.maps.height(), "'" + command.maps + "'"},
                            session.store, context.child(0.4, 0.45), edit));
   if (!edit.isNeutral()) {
     CUTIS_TRY(edited, editMaps({opened.model, file.maps, {edit}}, session.store,

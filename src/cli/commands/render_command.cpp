@@ -65,22 +65,13 @@ Result<PictureRows> pictureOf(const RenderCommand& command) {
   return picture;
 }
 
-Result<std::optional<SampleType>> sampleTypeOf(const std::string& bitDepth) {
-  if (bitDepth.empty()) return std::optional<SampleType>();
-  if (bitDepth == "half") return std::optional(SampleType::half);
-  if (bitDepth == "float") return std::optional(SampleType::float32);
-  if (bitDepth == "8") return std::optional(SampleType::uint8);
-  if (bitDepth == "16") return std::optional(SampleType::uint16);
-  return usageError("--bit-depth", "'" + bitDepth + "' is unknown; choose half, float, 8 or 16");
-}
-
 Status runRenderCommand(const RenderCommand& command, Session& session) {
   CUTIS_TRY(picture, pictureOf(command));
   ExportTarget target = {.path = command.output,
                          .colorSpace = command.colorSpace,
                          .inputs = {command.profile, command.light, command.observer},
                          .sources = {command.maps}};
-  CUTIS_TRY(type, sampleTypeOf(command.bitDepth));
+  CUTIS_TRY(type, bitDepth("--bit-depth", command.bitDepth));
   target.sampleType = type;
   CUTIS_CHECK(checkPictureTarget(target));
   const JobContext& context = session.context;

@@ -5,7 +5,6 @@
 
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
-#include "src/images/capture/mask_file.h"
 
 namespace cutis {
 namespace {
@@ -86,8 +85,8 @@ void addEditOptions(CLI::App& command, EditOptions& options) {
            "carotene is in g/L; may be repeated");
   assigned("--set", options.set, "Set a parameter to V, in its unit; may be repeated");
   addOption(command, "--mask", options.mask, "FILE",
-            "Image of the maps' size: 0 keeps the original, 1 edits, between blends "
-            "(default: edit everywhere)")
+            "Image of the maps' size: 0 keeps the original, 1 edits, between blends; its alpha "
+            "counts where there is a shape in it, else its luminance (default: edit everywhere)")
       ->group("Edit");
 }
 
@@ -104,11 +103,11 @@ Result<Edit> parseEdit(const EditOptions& options) {
   return edit;
 }
 
-Status loadEditMask(const EditOptions& options, int width, int height, const std::string& subject,
+Status loadEditMask(const EditOptions& options, const MaskedPicture& picture,
                     const std::shared_ptr<TileStore>& store, const JobContext& context,
                     Edit& edit) {
   if (options.mask.empty()) return {};
-  CUTIS_TRY(mask, readMask(options.mask, width, height, "'" + subject + "'", store, context));
+  CUTIS_TRY(mask, readMask(options.mask, picture, store, context));
   edit.mask = mask;
   return {};
 }

@@ -11,6 +11,7 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/edit/edit_stack.h"
+#include "src/images/capture/mask_file.h"
 
 namespace cutis {
 
@@ -32,8 +33,8 @@ void addEditOptions(CLI::App& command, EditOptions& options);
 // The parameters of the edit; its mask is still empty.
 Result<Edit> parseEdit(const EditOptions& options);
 
-// Reads the mask, if one is named, for maps of this size; `subject` names the maps in errors.
-Status loadEditMask(const EditOptions& options, int width, int height, const std::string& subject,
+// Reads the mask, if one is named.
+Status loadEditMask(const EditOptions& options, const MaskedPicture& picture,
                     const std::shared_ptr<TileStore>& store, const JobContext& context, Edit& edit);
 
 }  // namespace cutis

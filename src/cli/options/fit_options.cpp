@@ -56,6 +56,9 @@ void addFitOptions(CLI::App& command, FitCommandOptions& options) {
             "names; albedo for an image)");
   addOption(command, "--lights", options.lights, "LIGHT,...",
             "Lights of the capture to use, separated by commas (default: all)");
+  addOption(command, "--layer", options.layer, "NAME",
+            "Layer or part of an OpenEXR image, as info lists them (default: the plain channels R, "
+            "G and B)");
   addOption(command, "--exposure", options.exposure, "S|auto",
             "Factor on the linear values of an image; auto chooses the one that brings "
             "most pixels into the profile's range of skin colours (default: 1)");
@@ -99,7 +102,8 @@ std::string firstGiven(const FitCommandOptions& options) {
     if (!text.empty()) return option;
   }
   if (!options.fixed.empty()) return "--fix";
-  return options.shading ? "--shading" : "";
+  if (options.shading) return "--shading";
+  return options.layer.empty() ? "" : "--layer";
 }
 
 Result<FitRequest> parseFitOptions(const FitCommandOptions& options) {
@@ -111,6 +115,7 @@ Result<FitRequest> parseFitOptions(const FitCommandOptions& options) {
   CUTIS_CHECK(checkMethodOptions(options, method));
   request.source.rig = options.rig;
   request.source.lights = commaSeparated(options.lights);
+  request.source.layer = options.layer;
   CUTIS_CHECK(parseExposure(options.exposure, request));
   if (!options.noise.empty()) {
     CUTIS_TRY(noise, realNumbers("--noise", options.noise, 2, 0.0, kMostAssumedNoise));

@@ -23,6 +23,7 @@ struct FitCommandOptions {
   std::string profile;
   std::string rig;
   std::string lights;
+  std::string layer;
   std::string exposure;
   std::string noise;
   std::string prior;

@@ -91,6 +91,16 @@ Result<std::vector<double>> realNumbers(const std::string& option, const std::st
   return numbers;
 }
 
+Result<std::optional<SampleType>> bitDepth(const std::string& option, const std::string& text) {
+  if (text.empty()) return std::optional<SampleType>();
+  for (const auto& [name, type] :
+       {std::pair{"half", SampleType::half}, std::pair{"float", SampleType::float32},
+        std::pair{"8", SampleType::uint8}, std::pair{"16", SampleType::uint16}}) {
+    if (text == name) return std::optional(type);
+  }
+  return usageError(option, "'" + text + "' is unknown; choose half, float, 8 or 16");
+}
+
 Result<PixelSize> pixelSize(const std::string& option, const std::string& text, int most) {
   const auto cross = text.find('x');
   PixelSize size;

@@ -4,11 +4,13 @@
 // Numbers do not depend on the locale.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/skin/profile/parameter.h"
+#include "src/images/codec/sample_type.h"
 
 namespace cutis {
 
@@ -23,6 +25,9 @@ std::vector<std::string> commaSeparated(const std::string& text);
 // As many numbers as asked for, each within [least, most].
 Result<std::vector<double>> realNumbers(const std::string& option, const std::string& text,
                                         std::size_t count, double least, double most);
+
+// "half", "float", "8" or "16"; nothing for an empty text.
+Result<std::optional<SampleType>> bitDepth(const std::string& option, const std::string& text);
 
 struct PixelSize {
   int width = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -23,20 +24,26 @@ Status checkRig(const Rig& rig) {
                         rig.name + "' is not; use the rig 'albedo' or name a capture");
 }
 
-Result<std::array<std::size_t, 3>> colorChannels(const ImageHeader& image,
-                                                 const std::string& place) {
-  constexpr std::array<const char*, 3> names = {"R", "G", "B"};
-  std::array<std::size_t, 3> channels = {};
-  for (std::size_t c = 0; c < names.size(); ++c) {
-    const int index = image.channelIndex(names[c]);
-    if (index < 0) {
-      return inputError(place,
-                        "the image is without the channels R, G and B; skin needs its colours, "
-                        "save it as a colour image");
-    }
-    channels[c] = static_cast<std::size_t>(index);
+Status checkHasColors(const ImageHeader& image, const std::vector<ImageLayer>& layers,
+                      const std::string& place) {
+  if (image.layer.colors) return {};
+  const bool severalLayers = layers.size() > 1;
+  const bool othersHave = std::any_of(layers.begin(), layers.end(),
+                                      [](const ImageLayer& layer) { return layer.colors; });
+  if (severalLayers && othersHave) {
+    std::vector<ImageLayer> colored;
+    std::copy_if(layers.begin(), layers.end(), std::back_inserter(colored),
+                 [](const ImageLayer& layer) { return layer.colors.has_value(); });
+    const std::string what = image.layer.name.empty() ? "the image has no plain channels R, G and B"
+                                                      : "the layer '" + image.layer.name +
+                                                            "' has no red, green and blue";
+    return inputError(place, what + "; choose a layer with colours: " + layerNames(colored));
   }
-  return channels;
+  const bool grey = image.channelNames.size() <= 2 && !severalLayers;
+  return inputError(place, std::string("the image is ") +
+                               (grey ? "grey" : "without the channels R, G and B") +
+                               (severalLayers ? " (it has " + layerNames(layers) + ")" : "") +
+                               "; skin needs its colours, save it as a colour image");
 }
 
 void sayHowColorsAreRead(const ColorDecision& colors, const FileColors& file,
@@ -49,29 +56,36 @@ void sayHowColorsAreRead(const ColorDecision& colors, const FileColors& file,
     context.say(place + ": " + contradiction);
 }
 
+bool isGrey(const ImageHeader& image) {
+  return !image.layer.colors && image.layer.prefix.empty() && image.channelIndex("Y") >= 0;
+}
+
 // Red, green and blue in place of grey.
-void colorGrey(Image& image) {
+void widenGrey(Image& image) {
   const int grey = image.channelIndex("Y");
-  if (grey < 0 || image.channelIndex("R") >= 0) return;
   const auto at = static_cast<std::ptrdiff_t>(grey);
   const Plane plane = image.channels[static_cast<std::size_t>(grey)];
   image.channelNames.erase(image.channelNames.begin() + at);
   image.channelNames.insert(image.channelNames.begin() + at, {"R", "G", "B"});
   image.channels.insert(image.channels.begin() + at, 2, plane);
+  image.layer.colors = {grey, grey + 1, grey + 2};
+  if (image.layer.alpha > grey) image.layer.alpha += 2;
+  image.isWidenedGrey = true;
 }
 
 class AlbedoReader {
  public:
-  AlbedoReader(Albedo& albedo, std::array<std::size_t, 3> channels, ColorConverter toLinear,
-               Plane mask)
-      : albedo_(albedo), channels_(channels), toLinear_(std::move(toLinear)), mask_(mask) {
+  AlbedoReader(Albedo& albedo, ColorConverter toLinear, Plane mask)
+      : albedo_(albedo), toLinear_(std::move(toLinear)), mask_(std::move(mask)) {
     const Rig& rig = albedo.measurements.rig;
     const Eigen::Vector3d white = whitePoint(rig.lights.front().power, rig.camera.sensor);
     const Eigen::Matrix3d matrix = white.cwiseInverse().asDiagonal() * xyzFromRec709(white);
     matrix_ = matrix.cast<float>();
     clips_ = isInteger(albedo.source.sourceType);
-    const int alpha = albedo.source.channelIndex("A");
-    if (alpha >= 0) alpha_ = albedo.source.channels[static_cast<std::size_t>(alpha)];
+    const ImageLayer& layer = albedo.source.layer;
+    for (std::size_t c = 0; c < 3; ++c)
+      colors_[c] = albedo.source.channels[static_cast<std::size_t>((*layer.colors)[c])];
+    if (layer.alpha >= 0) alpha_ = albedo.source.channels[static_cast<std::size_t>(layer.alpha)];
   }
 
   Status measure(const std::shared_ptr<TileStore>& store, const JobContext& context) {
@@ -91,15 +105,17 @@ class AlbedoReader {
     const std::size_t pixels = rect.pixelCount();
     std::vector<float> plane(pixels), rgb(3 * pixels), mask(pixels, 1.0f), alpha(pixels, 1.0f);
     std::vector<char> clipped(pixels, 0);
+    if (!alpha_.empty()) CUTIS_CHECK(alpha_.load(rect, alpha));
+    const bool multiplied = albedo_.source.alphaKind == AlphaKind::associated;
     for (std::size_t c = 0; c < 3; ++c) {
-      CUTIS_CHECK(albedo_.source.channels[channels_[c]].load(rect, plane));
+      CUTIS_CHECK(colors_[c].load(rect, plane));
+      if (multiplied) divideByAlpha(plane, alpha);
       for (std::size_t p = 0; p < pixels; ++p) {
         rgb[3 * p + c] = plane[p];
         if (clips_ && plane[p] >= 1.0f) clipped[p] = 1;
       }
     }
     if (!mask_.empty()) CUTIS_CHECK(mask_.load(rect, mask));
-    if (!alpha_.empty()) CUTIS_CHECK(alpha_.load(rect, alpha));
     CUTIS_CHECK(toLinear_(rgb));
     std::vector<float> state(pixels);
     for (std::size_t p = 0; p < pixels; ++p) {
@@ -123,7 +139,7 @@ class AlbedoReader {
   }
 
   Albedo& albedo_;
-  std::array<std::size_t, 3> channels_;
+  std::array<Plane, 3> colors_;
   ColorConverter toLinear_;
   Plane mask_;
   Plane alpha_;
@@ -138,30 +154,34 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
                           const JobContext& context) {
   CUTIS_CHECK(checkRig(rig));
   const std::string place = path.string();
+  CUTIS_TRY(layers, listLayers(path, context));
   ColorDecision colors;
   const auto accept = [&](const ImageHeader& header) -> Status {
-    if (header.channelIndex("Y") < 0) CUTIS_CHECK(colorChannels(header, place));
+    const bool meantGrey = isGrey(header) && (layers.size() == 1 || !options.layer.empty());
+    if (!meantGrey) CUTIS_CHECK(checkHasColors(header, layers, place));
     CUTIS_TRY(decided, decideColors(header.colors, options.colorSpace, place));
     colors = std::move(decided);
     return {};
   };
-  CUTIS_TRY(image, readImage(path, {{}, accept}, store, context.child(0.0, 0.7)));
+  CUTIS_TRY(image, readImage(path, {.accept = accept, .layer = options.layer, .overscan = true},
+                             store, context.child(0.0, 0.7)));
   sayHowColorsAreRead(colors, image.colors, place, context);
-  if (image.channelIndex("R") < 0)
+  if (isGrey(image)) {
     context.say(place + ": the image is grey; its red, green and blue are taken to be equal");
-  colorGrey(image);
-  CUTIS_TRY(channels, colorChannels(image, place));
+    widenGrey(image);
+  }
   Plane mask;
   if (!options.mask.empty()) {
-    CUTIS_TRY(read, readMask(options.mask, image.width, image.height, "'" + place + "'", store,
-                             context.child(0.7, 0.75)));
+    const MaskedPicture picture = {image.width, image.height, "'" + place + "'",
+                                   image.frame.display, image.orientation};
+    CUTIS_TRY(read, readMask(options.mask, picture, store, context.child(0.7, 0.75)));
     mask = read;
   }
   Albedo albedo;
   albedo.source = std::move(image);
   albedo.colors = colors;
   albedo.measurements.rig = rig;
-  AlbedoReader reader(albedo, channels, colors.followed.space.toLinearRec709, mask);
+  AlbedoReader reader(albedo, colors.followed.space.toLinearRec709, mask);
   CUTIS_CHECK(reader.measure(store, context.child(0.75, 1.0)));
   return albedo;
 }

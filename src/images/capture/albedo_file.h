@@ -6,8 +6,9 @@
 // white, so that each channel of the rig reads 1 for a perfect diffuser, and neutral texels read
 // the same in all three. Colours outside the spectral gamut (negative X, Y or Z) are invalid,
 // texels with alpha 0 are masked (gutters between UDIM islands), texels with a channel at the end
-// of an integer range are saturated. Grey counts as equal red, green and blue. Otherwise alpha is
-// not looked at.
+// of an integer range are saturated. Grey counts as equal red, green and blue. Colours that are
+// stored multiplied by alpha are divided by it first. What an OpenEXR file stores around its
+// display window is part of the texture.
 
 #include <filesystem>
 #include <memory>
@@ -24,6 +25,7 @@ struct AlbedoOptions {
   // Empty: what the file says (src/images/color/color_statement.h).
   std::string colorSpace = {};
   std::filesystem::path mask = {};  // may be empty
+  std::string layer = {};           // of an OpenEXR file, see src/images/image_layers.h
 };
 
 struct Albedo {

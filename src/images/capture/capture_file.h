@@ -9,7 +9,8 @@
 //
 // Pixels are linear, also those of integer images; a perfect diffuser under the light reads 1 in
 // every channel once multiplied by `scale`. Files lie in or below the folder. Lights of the rig
-// that are not there are left out of it. Pixels at the end of an integer range are saturated; see
+// that are not there are left out of it. Colours that are stored multiplied by alpha are divided by
+// it, and pixels of alpha 0 are masked. Pixels at the end of an integer range are saturated; see
 // classify() for the other states.
 //
 // Errors are sentences that name the file and the field.
@@ -26,6 +27,7 @@
 #include "core/rig/measurements.h"
 #include "src/images/codec/metadata.h"
 #include "src/images/codec/sample_type.h"
+#include "src/images/pixels/orientation.h"
 #include "src/images/source_reference.h"
 
 namespace cutis {
@@ -43,6 +45,8 @@ struct Capture {
   Measurements measurements;             // channels in the order of the rig
   std::vector<SourceReference> sources;  // one per light, in the order of the rig
   ImageMetadata metadata;                // of the first light's photograph
+  // How that lies in its file; the measurements stand upright.
+  Orientation orientation = Orientation::upright;
 };
 
 // `path` is the folder or its capture.json. Planes hold what the files hold, without loss.

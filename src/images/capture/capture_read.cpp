@@ -7,6 +7,7 @@
 #include "src/images/capture/capture_manifest.h"
 #include "src/images/capture/mask_file.h"
 #include "src/images/image_file.h"
+#include "src/images/pixels/alpha.h"
 
 namespace cutis {
 
@@ -16,6 +17,10 @@ namespace {
 
 std::string sizeText(int width, int height) {
   return std::to_string(width) + " × " + std::to_string(height) + " pixels";
+}
+
+std::string originText(const ImageFrame& frame) {
+  return std::to_string(frame.originX) + ", " + std::to_string(frame.originY);
 }
 
 std::string channelList(const std::vector<std::string>& names) {
@@ -45,10 +50,12 @@ Result<std::array<std::size_t, 3>> cameraChannels(const ImageHeader& image, cons
 // One light's photograph as it was read.
 struct Photograph {
   std::array<Plane, 3> planes;
+  Plane alpha;              // may be empty
+  bool multiplied = false;  // the colours are, by alpha
   std::array<float, 3> scale;
   bool integer = false;
 
-  bool isScaled() const { return scale != std::array<float, 3>{1.0f, 1.0f, 1.0f}; }
+  bool isChanged() const { return multiplied || scale != std::array<float, 3>{1.0f, 1.0f, 1.0f}; }
 };
 
 class CaptureReader {
@@ -63,6 +70,7 @@ class CaptureReader {
     compareWithDeclaration();
     CUTIS_CHECK(readTheMask());
     capture.measurements.rig = manifest_.rig;
+    capture.orientation = first_.orientation;
     CUTIS_CHECK(measure(capture.measurements));
     return capture;
   }
@@ -75,7 +83,7 @@ class CaptureReader {
       const JobContext part = context_.child(0.9 * done / count, 0.9 * (done + 1.0) / count);
       std::array<std::size_t, 3> channels = {};
       const auto accept = [&](const ImageHeader& header) -> Status {
-        CUTIS_CHECK(checkSize(header, entry));
+        CUTIS_CHECK(checkPlace(header, entry));
         CUTIS_CHECK(checkStorage(header, entry));
         CUTIS_TRY(found, cameraChannels(header, manifest_.rig.camera, entry.path.string()));
         channels = found;
@@ -88,6 +96,10 @@ class CaptureReader {
       photograph.scale = entry.scale;
       photograph.integer = isInteger(image.sourceType);
       noteStatement(entry.file, image.colors);
+      if (image.layer.alpha >= 0) {
+        photograph.alpha = image.channels[static_cast<std::size_t>(image.layer.alpha)];
+        photograph.multiplied = image.alphaKind == AlphaKind::associated;
+      }
       if (photographs_.empty()) capture.metadata = image.metadata;
       photographs_.push_back(std::move(photograph));
       capture.sources.push_back({entry.file, image.contentHash});
@@ -120,17 +132,25 @@ class CaptureReader {
                  "are not");
   }
 
-  Status checkSize(const ImageHeader& header, const CapturePhotograph& entry) {
+  // Pixels belong together by their place in the files' common coordinates.
+  Status checkPlace(const ImageHeader& header, const CapturePhotograph& entry) {
     if (photographs_.empty()) {
-      width_ = header.width;
-      height_ = header.height;
+      first_ = header;
       return {};
     }
-    if (header.width == width_ && header.height == height_) return {};
-    return inputError(entry.path.string(),
-                      "the photograph is " + sizeText(header.width, header.height) + " but '" +
-                          manifest_.photographs.front().file + "' is " + sizeText(width_, height_) +
-                          "; all photographs must have the same size");
+    const std::string firstName = "'" + manifest_.photographs.front().file + "'";
+    if (header.width != first_.width || header.height != first_.height) {
+      return inputError(entry.path.string(),
+                        "the photograph is " + sizeText(header.width, header.height) + " but " +
+                            firstName + " is " + sizeText(first_.width, first_.height) +
+                            "; all photographs must have the same size");
+    }
+    const ImageFrame &own = header.frame, &common = first_.frame;
+    if (own.originX == common.originX && own.originY == common.originY) return {};
+    return inputError(entry.path.string(), "the photograph's display window begins at " +
+                                               originText(own) + " but that of " + firstName +
+                                               " at " + originText(common) +
+                                               "; give all photographs the same display window");
   }
 
   // What cannot be read as colours holds no numbers of a camera either.
@@ -144,9 +164,12 @@ class CaptureReader {
 
   Status readTheMask() {
     if (manifest_.mask.empty()) return {};
-    CUTIS_TRY(mask, readMask(manifest_.mask, width_, height_,
-                             "'" + manifest_.photographs.front().file + "'", store_,
-                             context_.child(0.9, 0.95)));
+    const MaskedPicture picture = {first_.width,
+                                   first_.height,
+                                   "'" + manifest_.photographs.front().file + "'",
+                                   {},
+                                   first_.orientation};
+    CUTIS_TRY(mask, readMask(manifest_.mask, picture, store_, context_.child(0.9, 0.95)));
     mask_ = mask;
     return {};
   }
@@ -154,11 +177,12 @@ class CaptureReader {
   Status measure(Measurements& measurements) {
     for (Photograph& photograph : photographs_) {
       for (Plane& plane : photograph.planes) {
-        measurements.channels.push_back(
-            photograph.isScaled() ? Plane(width_, height_, PixelFormat::float32, store_) : plane);
+        measurements.channels.push_back(photograph.isChanged() ? Plane(first_.width, first_.height,
+                                                                       PixelFormat::float32, store_)
+                                                               : plane);
       }
     }
-    measurements.state = Plane(width_, height_, PixelFormat::half, store_);
+    measurements.state = Plane(first_.width, first_.height, PixelFormat::half, store_);
     const auto tiles = static_cast<std::size_t>(measurements.state.tileCount());
     return parallelFor(tiles, context_.child(0.95, 1.0), [&](std::size_t i) {
       return measureTile(measurements.state.tileRect(static_cast<int>(i)), measurements);
@@ -169,20 +193,28 @@ class CaptureReader {
     const std::size_t pixels = rect.pixelCount();
     const std::size_t channels = measurements.channels.size();
     std::vector<float> values(channels * pixels), mask(pixels, 1.0f), state(pixels);
+    std::vector<float> alpha(pixels);
     std::vector<char> clipped(pixels, 0);
+    if (!mask_.empty()) CUTIS_CHECK(mask_.load(rect, mask));
     for (std::size_t c = 0; c < channels; ++c) {
       const Photograph& photograph = photographs_[c / 3];
       const std::span<float> channel = std::span(values).subspan(c * pixels, pixels);
       CUTIS_CHECK(photograph.planes[c % 3].load(rect, channel));
+      if (!photograph.alpha.empty()) {
+        CUTIS_CHECK(photograph.alpha.load(rect, alpha));
+        if (photograph.multiplied) divideByAlpha(channel, alpha);
+        for (std::size_t p = 0; p < pixels; ++p) {
+          if (alpha[p] == 0.0f) mask[p] = 0.0f;
+        }
+      }
       for (std::size_t p = 0; photograph.integer && p < pixels; ++p) {
         if (channel[p] >= 1.0f) clipped[p] = 1;
       }
-      if (!photograph.isScaled()) continue;
+      if (!photograph.isChanged()) continue;
       for (float& value : channel)
         value *= photograph.scale[c % 3];
       CUTIS_CHECK(measurements.channels[c].store(rect, channel));
     }
-    if (!mask_.empty()) CUTIS_CHECK(mask_.load(rect, mask));
     std::vector<float> pixel(channels);
     for (std::size_t p = 0; p < pixels; ++p) {
       for (std::size_t c = 0; c < channels; ++c)
@@ -195,8 +227,7 @@ class CaptureReader {
   const CaptureManifest& manifest_;
   std::shared_ptr<TileStore> store_;
   const JobContext& context_;
-  int width_ = 0;
-  int height_ = 0;
+  ImageHeader first_;  // of the first photograph
   std::vector<Photograph> photographs_;
   std::size_t notLinear_ = 0;  // photographs that contradict the declaration
   std::string against_;        // what the first of them says

@@ -6,6 +6,7 @@
 // A new format to write is a row here; a new kind of file a row and a value of ImageFileKind.
 // Thread-safe: constants.
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -17,7 +18,13 @@
 
 namespace cutis {
 
-enum class ImageFileKind { openExr, tiff, png, jpeg, bmp, targa, radiance };
+enum class ImageFileKind { openExr, tiff, png, jpeg, bmp, targa, radiance, psd, webP, heic };
+
+// Bytes at a place of a file.
+struct FileMark {
+  std::string_view bytes;
+  std::size_t at = 0;
+};
 
 struct ImageFormat {
   ImageFileKind kind = ImageFileKind::openExr;
@@ -25,8 +32,8 @@ struct ImageFormat {
   std::string_view libraryName;  // of OpenImageIO's reader and writer
   // In lower case with the dot, the usual one first.
   std::vector<std::string_view> extensions;
-  // First bytes of a file, by which it is recognised; none: by its name.
-  std::vector<std::string_view> marks;
+  // By one of which a file is recognised; none: by its name.
+  std::vector<FileMark> marks;
   // What can be written, the most usual first; none: files are only read.
   std::vector<SampleType> sampleTypes;
   bool colorsOnly = false;  // one or three channels and alpha, nothing else

@@ -1,6 +1,7 @@
 #include "src/images/codec/image_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <optional>
 
@@ -60,6 +61,13 @@ bool isHarmless(ImageFileKind kind, const std::string& message) {
           message.find("Invalid SOS parameters") != std::string::npos);
 }
 
+// Whether the library says that it knows what this is, and that it does not read it.
+bool isOnlyUnsupported(std::string message) {
+  std::transform(message.begin(), message.end(), message.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return message.find("support") != std::string::npos;
+}
+
 Status checkLayout(const OIIO::ImageSpec& spec, const std::string& place) {
   if (spec.deep) {
     return inputError(place,
@@ -100,6 +108,15 @@ void nameConverted(ImagePart& part) {
   if (part.spec.alpha_channel >= 0) part.spec.alpha_channel -= left;
 }
 
+// Whether OpenImageIO, asked to leave colours as they are stored, hands them over multiplied by
+// alpha.
+AlphaKind alphaKindOf(ImageFileKind kind, const OIIO::ImageSpec& spec) {
+  if (spec.alpha_channel < 0 && kind != ImageFileKind::openExr) return AlphaKind::straight;
+  if (spec.get_int_attribute("oiio:UnassociatedAlpha") != 0) return AlphaKind::straight;
+  // Its reader divides nothing, and writers of BMP do not multiply.
+  return kind == ImageFileKind::bmp ? AlphaKind::straight : AlphaKind::associated;
+}
+
 Rect rectOf(int x, int y, int width, int height) {
   return {x, y, x + width, y + height};
 }
@@ -112,6 +129,10 @@ int ImagePart::channelIndex(std::string_view channelName) const {
                                           : static_cast<int>(found - spec.channelnames.begin());
 }
 
+SampleType ImagePart::channelType(int channel) const {
+  return sampleTypeOf(spec.channelformat(channel)).value_or(type);
+}
+
 // Rows are decoded in steps and passed on in chunks of several steps. Steps of a tiled file are
 // rows of tiles.
 struct ImageReader::Chunks {
@@ -121,9 +142,14 @@ struct ImageReader::Chunks {
 };
 
 Error ImageReader::damaged(const std::string& reason) const {
-  return inputError(place_, "the " + std::string(imageFormat(kind_).name) +
-                                " file is damaged or cut off (" + oiioReason(reason, place_) +
-                                "); get a sound copy");
+  const std::string format(imageFormat(kind_).name);
+  if (isOnlyUnsupported(reason)) {
+    return inputError(place_, "this kind of " + format + " file is not supported (" +
+                                  oiioReason(reason, place_) +
+                                  "); save it as a plain colour image");
+  }
+  return inputError(place_, "the " + format + " file is damaged or cut off (" +
+                                oiioReason(reason, place_) + "); get a sound copy");
 }
 
 Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
@@ -203,9 +229,76 @@ Result<ImagePart> ImageReader::part(int index) try {
   if (kind_ == ImageFileKind::openExr && spec.full_width > 0 && spec.full_height > 0) {
     part.window = rectOf(spec.full_x, spec.full_y, spec.full_width, spec.full_height);
   }
+  if (kind_ != ImageFileKind::openExr) {
+    part.orientation = orientationOf(spec.get_int_attribute("Orientation", 1));
+  }
+  part.alphaKind = alphaKindOf(kind_, spec);
   return part;
 } catch (const std::exception& error) {
   return damaged(error.what());
+}
+
+Status ImageReader::includeOverscan(ImagePart& part) const {
+  const Rect &shown = part.window, &stored = part.stored;
+  const Rect both = {std::min(shown.x0, stored.x0), std::min(shown.y0, stored.y0),
+                     std::max(shown.x1, stored.x1), std::max(shown.y1, stored.y1)};
+  if (exceedsLimits(both.width(), both.height())) {
+    return inputError(place_,
+                      "the data window of the image lies too far from its display window; crop it "
+                      "to what is needed");
+  }
+  part.window = both;
+  return {};
+}
+
+int ImageReader::levelCount(int part) {
+  constexpr int kMostLevels = 32;  // halve any size there is
+  int count = 1;
+  // Readers of other formats answer for levels that are not there.
+  if (kind_ != ImageFileKind::openExr) return count;
+  while (count < kMostLevels && input_->spec(part, count).format != OIIO::TypeUnknown)
+    ++count;
+  input_->geterror();  // that there are no more
+  return count;
+}
+
+OIIO::ImageSpec ImageReader::levelSpec(int part, int level) {
+  return input_->spec(part, level);
+}
+
+Status ImageReader::readNative(int part, int level, int y0, int y1,
+                               std::vector<std::byte>& rows) try {
+  const OIIO::ImageSpec spec = input_->spec(part, level);
+  const std::size_t rowBytes = static_cast<std::size_t>(spec.width) * spec.pixel_bytes(true);
+  const int tile = std::max(1, spec.tile_height);
+  const int begin = y0 - (y0 - spec.y) % tile;
+  const int end = std::min(spec.y + spec.height, y1 + (tile - (y1 - spec.y) % tile) % tile);
+  rows.resize(static_cast<std::size_t>(end - begin) * rowBytes);
+  const bool read =
+      spec.tile_width > 0
+          ? input_->read_tiles(part, level, spec.x, spec.x + spec.width, begin, end, 0, 1, 0,
+                               spec.nchannels, OIIO::TypeUnknown, rows.data())
+          : input_->read_scanlines(part, level, y0, y1, 0, 0, spec.nchannels, OIIO::TypeUnknown,
+                                   rows.data());
+  const std::string message = input_->geterror();
+  if (!read || !message.empty()) return damaged(message);
+  const auto skipped = static_cast<std::size_t>(y0 - begin) * rowBytes;
+  rows.erase(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(skipped));
+  rows.resize(static_cast<std::size_t>(y1 - y0) * rowBytes);
+  return {};
+} catch (const std::bad_alloc&) {
+  throw;
+} catch (const std::exception& error) {
+  return damaged(error.what());
+}
+
+bool ImageReader::hasFurtherPages() try {
+  if (kind_ != ImageFileKind::tiff) return false;
+  const bool found = input_->spec(1, 0).format != OIIO::TypeUnknown;
+  input_->geterror();  // that there is none
+  return found;
+} catch (const std::exception&) {
+  return false;
 }
 
 Result<ImageReader::Chunks> ImageReader::divide(const ImagePart& part) const {
@@ -267,9 +360,13 @@ Status storeChannel(const ImagePart& part, const std::byte* rows, const Rect& ch
     gatherSamples(samples, channels,
                   std::span(values).subspan(static_cast<std::size_t>(y - seen.y0) * width, width));
   }
-  const Rect target = {seen.x0 - part.window.x0, seen.y0 - part.window.y0, seen.x1 - part.window.x0,
-                       seen.y1 - part.window.y0};
-  return plane.store(target, values);
+  const Rect &window = part.window, target = {seen.x0 - window.x0, seen.y0 - window.y0,
+                                              seen.x1 - window.x0, seen.y1 - window.y0};
+  if (part.orientation == Orientation::upright) return plane.store(target, values);
+  std::vector<float> upright(values.size());
+  turnUpright(values, seen.width(), seen.height(), part.orientation, upright);
+  return plane.store(uprightRect(target, window.width(), window.height(), part.orientation),
+                     upright);
 }
 
 Status storeChunk(const ImagePart& part, const std::byte* rows, const Rect& chunk,

@@ -18,6 +18,8 @@
 #include "src/images/codec/sample_type.h"
 #include "src/images/codec/source_file.h"
 #include "src/images/codec/stored_colors.h"
+#include "src/images/pixels/alpha.h"
+#include "src/images/pixels/orientation.h"
 
 namespace cutis {
 
@@ -34,16 +36,22 @@ struct ImagePart {
   Rect window;
   // What is stored, in the same coordinates; the rest of the picture is 0.
   Rect stored;
-  SampleType type = SampleType::uint8;
+  // How the picture lies in the file. Planes that are read stand upright.
+  Orientation orientation = Orientation::upright;
+  AlphaKind alphaKind = AlphaKind::straight;
+  SampleType type = SampleType::uint8;  // the widest of the channels
   // With R, G and B where the file stores other colours.
   OIIO::ImageSpec spec;
   std::optional<StoredColors> otherColors;
   int storedChannels = 0;
 
-  int width() const { return window.width(); }
-  int height() const { return window.height(); }
+  // Of the picture upright.
+  int width() const { return swapsSides(orientation) ? window.height() : window.width(); }
+  int height() const { return swapsSides(orientation) ? window.width() : window.height(); }
   // -1 if there is none of that name.
   int channelIndex(std::string_view channelName) const;
+  // Precondition: the index of a channel.
+  SampleType channelType(int channel) const;
 };
 
 class ImageReader {
@@ -56,11 +64,23 @@ class ImageReader {
   int partCount() const { return partCount_; }
   // Checked against the limits above. Precondition: index in [0, partCount()).
   Result<ImagePart> part(int index);
+  // Takes what is stored outside of the display window into the picture. Fails if that becomes too
+  // large.
+  Status includeOverscan(ImagePart& part) const;
+  // Whether there are pages after the first, which are not read.
+  bool hasFurtherPages();
 
-  // The chosen channels of a part, each a plane of the window's size.
+  // The chosen channels of a part, each a plane of the picture's size, upright.
   Result<std::vector<Plane>> read(const ImagePart& part, std::span<const int> channels,
                                   PixelFormat format, const std::shared_ptr<TileStore>& store,
                                   const JobContext& context);
+
+  // Smaller versions of a part count, too: level 0 is the part itself.
+  int levelCount(int part);
+  // Precondition: level in [0, levelCount(part)).
+  OIIO::ImageSpec levelSpec(int part, int level);
+  // Rows [y0, y1) of the file's own coordinates, all channels in their own types.
+  Status readNative(int part, int level, int y0, int y1, std::vector<std::byte>& rows);
 
  private:
   ImageReader() = default;

@@ -1,10 +1,13 @@
 #include "src/images/codec/image_writer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "core/base/half.h"
 #include "core/base/parallel.h"
 #include "src/images/codec/oiio_text.h"
+#include "src/images/pixels/alpha.h"
 
 namespace cutis {
 namespace {
@@ -39,6 +42,19 @@ class Writer {
     const bool opened =
         output_->open(file_.string(), specs_[index], OIIO::ImageOutput::AppendSubimage);
     return opened ? state() : refused(output_->geterror());
+  }
+
+  Status nextLevel(const OIIO::ImageSpec& level) {
+    const bool opened = output_->open(file_.string(), level, OIIO::ImageOutput::AppendMIPLevel);
+    return opened ? state() : refused(output_->geterror());
+  }
+
+  Status nativeRows(const OIIO::ImageSpec& spec, int y0, int y1, const void* samples) {
+    const bool written = spec.tile_width > 0
+                             ? output_->write_tiles(spec.x, spec.x + spec.width, y0, y1, 0, 1,
+                                                    OIIO::TypeUnknown, samples)
+                             : output_->write_scanlines(y0, y1, 0, OIIO::TypeUnknown, samples);
+    return written ? state() : refused(output_->geterror());
   }
 
   Status rows(int y0, int y1, const void* samples) {
@@ -83,6 +99,23 @@ class Writer {
   OIIO::ImageOutput::unique_ptr output_;
 };
 
+// The largest value that becomes a sample without being cut off, and the least.
+struct SampleLimits {
+  float least = -std::numeric_limits<float>::infinity();
+  float most = std::numeric_limits<float>::infinity();
+
+  bool cutOff(float value) const { return value < least || value > most; }
+};
+
+SampleLimits limitsOf(SampleType type) {
+  // Half a step beyond both ends still rounds to them.
+  if (type == SampleType::uint8) return {-0.5f / 255.0f, 1.0f + 0.5f / 255.0f};
+  if (type == SampleType::uint16) return {-0.5f / 65535.0f, 1.0f + 0.5f / 65535.0f};
+  if (type != SampleType::half) return {};
+  constexpr float kLargestRoundedToHalf = 65520.0f;
+  return {-kLargestRoundedToHalf, kLargestRoundedToHalf};
+}
+
 // Rows of all channels, interleaved in the type of the file.
 class WrittenRows {
  public:
@@ -95,19 +128,60 @@ class WrittenRows {
   }
 
   Status fill(int y0, int y1, const JobContext& context) {
+    const Rect rect = {0, y0, part_.spec.width, y1};
     bytes_.resize(static_cast<std::size_t>(rowBytes() * (y1 - y0)));
-    return parallelFor(part_.channels.size(), {context.stop, {}, {}}, [&](std::size_t c) -> Status {
-      const Rect rect = {0, y0, part_.spec.width, y1};
+    alpha_.resize(part_.alphaStep == AlphaStep::none ? 0 : rect.pixelCount());
+    if (!alpha_.empty()) CUTIS_CHECK(part_.alpha.load(rect, alpha_));
+    std::vector<std::vector<char>> marks(part_.channels.size());
+    CUTIS_CHECK(parallelFor(marks.size(), {context.stop, {}, {}}, [&](std::size_t c) -> Status {
       std::vector<float> values(rect.pixelCount());
       CUTIS_CHECK(part_.channels[c].load(rect, values));
+      if (c < part_.colorCount) changeByAlpha(values);
+      marks[c] = marksOf(values, c < part_.colorCount);
       scatter(values, c);
       return {};
-    });
+    }));
+    count(marks, rect.pixelCount());
+    return {};
   }
+
+  const WriteLosses& losses() const { return losses_; }
 
   const void* samples() const { return bytes_.data(); }
 
  private:
+  enum Mark : char { kClipped = 1, kHidden = 2 };
+
+  void changeByAlpha(std::span<float> values) const {
+    if (part_.alphaStep == AlphaStep::multiply) multiplyByAlpha(values, alpha_);
+    if (part_.alphaStep == AlphaStep::divide) divideByAlpha(values, alpha_);
+  }
+
+  std::vector<char> marksOf(std::span<const float> values, bool isColor) const {
+    const SampleLimits limits = limitsOf(type_);
+    const bool multiplied = isColor && part_.alphaStep == AlphaStep::multiply;
+    std::vector<char> marks(values.size(), 0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      // Infinities are no more than infinite in a half.
+      if (limits.cutOff(values[i]) && (isInteger(type_) || std::isfinite(values[i]))) {
+        marks[i] |= kClipped;
+      }
+      if (multiplied && alpha_[i] == 0.0f && values[i] != 0.0f) marks[i] |= kHidden;
+    }
+    return marks;
+  }
+
+  // A pixel counts once, however many of its channels are marked.
+  void count(const std::vector<std::vector<char>>& marks, std::size_t pixels) {
+    for (std::size_t i = 0; i < pixels; ++i) {
+      char all = 0;
+      for (const std::vector<char>& channel : marks)
+        all |= channel[i];
+      losses_.clipped += (all & kClipped) != 0 ? 1 : 0;
+      losses_.hiddenColors += (all & kHidden) != 0 ? 1 : 0;
+    }
+  }
+
   std::int64_t rowBytes() const {
     return static_cast<std::int64_t>(part_.spec.width) * part_.spec.nchannels *
            static_cast<std::int64_t>(oiioType(type_).size());
@@ -133,7 +207,42 @@ class WrittenRows {
   const OutputPart& part_;
   SampleType type_;
   std::vector<std::byte> bytes_;
+  std::vector<float> alpha_;
+  WriteLosses losses_;
 };
+
+// Rows that are taken at once: whole tiles, and bands that fit into memory.
+int nativeStep(const OIIO::ImageSpec& spec) {
+  if (spec.tile_width > 0) return spec.tile_height;
+  const auto rowBytes = static_cast<std::int64_t>(spec.scanline_bytes(true));
+  const std::int64_t fits = kWriteBytes / std::max<std::int64_t>(1, rowBytes);
+  return std::clamp(static_cast<int>(fits) / kBlockRows * kBlockRows, kBlockRows, Plane::kTileSize);
+}
+
+Status writeNativeLevel(Writer& writer, const OutputPart& part, int level,
+                        const JobContext& context) {
+  const OIIO::ImageSpec& spec =
+      level == 0 ? part.spec : part.levels[static_cast<std::size_t>(level - 1)];
+  const int end = spec.y + spec.height;
+  std::vector<std::byte> rows;
+  for (int y = spec.y; y < end; y += nativeStep(spec)) {
+    if (context.stopRequested()) return Cancelled{};
+    const int next = std::min(end, y + nativeStep(spec));
+    CUTIS_CHECK(part.nativeRows(level, y, next, rows));
+    CUTIS_CHECK(writer.nativeRows(spec, y, next, rows.data()));
+    if (level == 0) context.progress.report(static_cast<double>(next - spec.y) / spec.height);
+  }
+  return {};
+}
+
+Status writeNative(Writer& writer, const OutputPart& part, const JobContext& context) {
+  CUTIS_CHECK(writeNativeLevel(writer, part, 0, context));
+  for (std::size_t k = 0; k < part.levels.size(); ++k) {
+    CUTIS_CHECK(writer.nextLevel(part.levels[k]));
+    CUTIS_CHECK(writeNativeLevel(writer, part, static_cast<int>(k) + 1, context));
+  }
+  return {};
+}
 
 Status openWithMetadata(Writer& writer, const std::vector<OutputPart>& parts,
                         const std::vector<OIIO::ImageSpec>& plain, const std::string& place,
@@ -157,18 +266,27 @@ Status openWithMetadata(Writer& writer, const std::vector<OutputPart>& parts,
 
 }  // namespace
 
-Status writeParts(const std::filesystem::path& file, const std::string& place, ImageFileKind kind,
-                  SampleType type, const std::vector<OutputPart>& parts,
-                  const std::vector<OIIO::ImageSpec>& plain, const std::string& pngChunks,
-                  const JobContext& context) try {
+Result<WriteLosses> writeParts(const std::filesystem::path& file, const std::string& place,
+                               ImageFileKind kind, SampleType type,
+                               const std::vector<OutputPart>& parts,
+                               const std::vector<OIIO::ImageSpec>& plain,
+                               const std::string& pngChunks, const JobContext& context) try {
   setUpOpenImageIO();
   Writer writer(file, place, kind, type, pngChunks);
   CUTIS_CHECK(openWithMetadata(writer, parts, plain, place, context));
+  WriteLosses losses;
   std::int64_t totalRows = 0, doneRows = 0;
   for (const OutputPart& part : parts)
     totalRows += part.spec.height;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     CUTIS_CHECK(writer.nextPart(i));
+    if (parts[i].nativeRows) {
+      const auto share = [&](std::size_t k) {
+        return static_cast<double>(k) / static_cast<double>(parts.size());
+      };
+      CUTIS_CHECK(writeNative(writer, parts[i], context.child(share(i), share(i + 1))));
+      continue;
+    }
     WrittenRows band(parts[i], type);
     const int height = parts[i].spec.height;
     for (int y = 0; y < height; y += band.rows()) {
@@ -179,8 +297,11 @@ Status writeParts(const std::filesystem::path& file, const std::string& place, I
       doneRows += end - y;
       context.progress.report(static_cast<double>(doneRows) / static_cast<double>(totalRows));
     }
+    losses.clipped += band.losses().clipped;
+    losses.hiddenColors += band.losses().hiddenColors;
   }
-  return writer.close();
+  CUTIS_CHECK(writer.close());
+  return losses;
 } catch (const std::bad_alloc&) {
   return resourceError(place, "not enough memory to write the image; close other programs");
 } catch (const std::exception& error) {

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 15> kStoragePrefixes = {
     "thumbnail", "exif:makernote", "exif:pixel", "exif:colorspace", "exif:interoperability"};
 
 // Attributes with a fixed meaning or type in an EXR header, and others that name the storage.
-constexpr std::array<std::string_view, 36> kStorageNames = {"acesimagecontainerflag",
+constexpr std::array<std::string_view, 37> kStorageNames = {"acesimagecontainerflag",
                                                             "adoptedneutral",
                                                             "capdate",
                                                             "channels",
@@ -45,6 +45,7 @@ constexpr std::array<std::string_view, 36> kStorageNames = {"acesimagecontainerf
                                                             "maxsamplesperpixel",
                                                             "multiview",
                                                             "name",
+                                                            "orientation",
                                                             "pixelaspectratio",
                                                             "planarconfig",
                                                             "preview",

@@ -3,8 +3,8 @@
 // What a picture carries besides its pixels: EXIF, copyright, description. Kept as it was read and
 // handed on to what is made of the picture; nobody else looks inside.
 //
-// What describes only the storage (compression, windows, sample types) or the colours, which an
-// output states anew, is not part of it. A value
+// What describes only the storage (compression, windows, sample types, how the picture lies in its
+// file) or the colours, which an output states anew, is not part of it. A value
 // of this class never changes: copies share, threads may read.
 
 #include <memory>

@@ -29,8 +29,9 @@ std::optional<ImageFileKind> kindOf(std::string_view head, const std::string& ex
     const auto& names = format.extensions;
     if (format.marks.empty())
       return std::find(names.begin(), names.end(), extension) != names.end();
-    return std::any_of(format.marks.begin(), format.marks.end(),
-                       [&](std::string_view mark) { return head.starts_with(mark); });
+    return std::any_of(format.marks.begin(), format.marks.end(), [&](const FileMark& mark) {
+      return head.substr(std::min(mark.at, head.size())).starts_with(mark.bytes);
+    });
   };
   const auto formats = imageFormats();
   const auto found = std::find_if(formats.begin(), formats.end(), matches);

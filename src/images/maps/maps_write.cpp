@@ -99,9 +99,11 @@ Status writeMaps(const std::filesystem::path& path, const MapsFile& file,
     // In all parts alike: EXR demands that some attributes do not differ between them.
     MetadataAccess::add(file.metadata, part.spec);
   }
-  return writeAtomically(path, [&](const std::filesystem::path& temporary) {
-    return writeParts(temporary, path.string(), ImageFileKind::openExr, SampleType::float32, parts,
-                      plain, {}, context);
+  return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Status {
+    // Floats lose nothing.
+    CUTIS_CHECK(writeParts(temporary, path.string(), ImageFileKind::openExr, SampleType::float32,
+                           parts, plain, {}, context));
+    return {};
   });
 }
 

@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <QtTest>
 
+#include "src/files/io/file_extension.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
@@ -32,6 +34,10 @@ float largestDifference(const Plane& a, const Plane& b) {
     largest = std::max(largest, std::abs(va[i] - vb[i]));
   }
   return largest;
+}
+
+bool contains(const std::string& sentence, const char* part) {
+  return sentence.find(part) != std::string::npos;
 }
 
 class ImageFileTest : public QObject {
@@ -66,8 +72,11 @@ class ImageFileTest : public QObject {
          {std::vector<std::string>{"R", "G", "B"}, std::vector<std::string>{"R", "G", "B", "A"},
           std::vector<std::string>{"Y"}}) {
       // More than a tile each way, and no multiple of anything.
-      const ImageContent content = makeContent(301, 523, channels);
+      ImageContent content = makeContent(301, 523, channels);
       const auto path = folder_.path(file.toStdString());
+      const bool isExr =
+          imageFormat(ImageFileKind::openExr).extensions.front() == lowerExtension(path);
+      content.alphaKind = isExr ? AlphaKind::associated : AlphaKind::straight;
       EXPECT_OK(writeImage(path, content, static_cast<SampleType>(type), {}));
       const auto first = read(path);
       EXPECT_OK(first);
@@ -84,6 +93,7 @@ class ImageFileTest : public QObject {
       ImageContent again;
       again.channelNames = image.channelNames;
       again.channels = image.channels;
+      again.alphaKind = image.alphaKind;
       EXPECT_OK(writeImage(path, again, static_cast<SampleType>(type), {}));
       const auto second = read(path);
       EXPECT_OK(second);
@@ -167,24 +177,62 @@ class ImageFileTest : public QObject {
     }
   }
 
-  // Nothing is multiplied or divided by alpha, in either direction.
-  void alphaIsLeftAlone() {
-    ImageContent content;
-    content.channelNames = {"R", "G", "B", "A"};
-    for (const float level : {0.8f, 0.4f, 0.2f, 0.0f}) {
-      content.channels.push_back(makePlane(
-          4, 4, [&](int x, int) { return level == 0.0f ? static_cast<float>(x) / 3.0f : level; }));
-    }
-    for (const auto& [file, type] :
-         {std::pair{"a.png", SampleType::uint8}, std::pair{"a.tif", SampleType::uint16},
-          std::pair{"a.exr", SampleType::half}}) {
-      EXPECT_OK(writeImage(folder_.path(file), content, type, {}));
-      const auto image = read(folder_.path(file));
-      EXPECT_OK(image);
-      for (std::size_t c = 0; c < 4; ++c) {
-        EXPECT_AT_MOST(largestDifference(image.value().channels[c], content.channels[c]), 0.002);
+  // Each format in its own convention, whatever the content's; alpha 0 keeps its colour.
+  void alphaIsWrittenAsTheFormatHasIt() {
+    const std::vector<float> alphas = {1.0f, 0.5f, 0.25f, 0.0f};
+    const auto alphaAt = [&](int x, int) { return alphas[static_cast<std::size_t>(x)]; };
+    for (const AlphaKind given : {AlphaKind::straight, AlphaKind::associated}) {
+      ImageContent content;
+      content.channelNames = {"R", "G", "B", "A"};
+      content.alphaKind = given;
+      const auto straight = [](int x) { return x == 3 ? 0.8f : 0.4f; };
+      for (int c = 0; c < 3; ++c) {
+        content.channels.push_back(makePlane(4, 4, [&](int x, int y) {
+          const float alpha = alphaAt(x, y);
+          return straight(x) * (given == AlphaKind::associated && alpha > 0.0f ? alpha : 1.0f);
+        }));
+      }
+      content.channels.push_back(makePlane(4, 4, alphaAt));
+      for (const auto& [file, type, kind] :
+           {std::tuple{"a.png", SampleType::uint16, AlphaKind::straight},
+            std::tuple{"a.tif", SampleType::float32, given},
+            std::tuple{"a.exr", SampleType::float32, AlphaKind::associated}}) {
+        test::Listener listener;
+        EXPECT_OK(writeImage(folder_.path(file), content, type, listener.context()));
+        const auto image = read(folder_.path(file));
+        EXPECT_OK(image);
+        QVERIFY(image.value().alphaKind == kind);
+        for (int x = 0; x < 4; ++x) {
+          const float factor =
+              kind == AlphaKind::associated && x < 3 ? alphas[static_cast<std::size_t>(x)] : 1.0f;
+          EXPECT_NEAR(pixelOf(image.value().channels[1], x, 2), straight(x) * factor, 1e-4);
+          EXPECT_NEAR(pixelOf(image.value().channels[3], x, 2), alphaAt(x, 2), 1e-4);
+        }
+        const bool hidden = given == AlphaKind::straight && kind == AlphaKind::associated;
+        QCOMPARE(listener.sentences.size(), std::size_t{hidden ? 1U : 0U});
+        if (hidden) QVERIFY(contains(listener.sentences[0], "4 pixels with alpha 0 have a colour"));
       }
     }
+  }
+
+  void clippingIsCountedAndSaid() {
+    ImageContent content;
+    content.channelNames = {"R", "G", "B"};
+    for (int c = 0; c < 3; ++c) {
+      content.channels.push_back(makePlane(5, 2, [&](int x, int y) {
+        if (x == 0 && y == 0) return 1.5f;              // all three channels: one pixel
+        if (x == 1 && y == 0 && c == 0) return -0.25f;  // one channel
+        return x == 2 ? 1.0f + 0.2f / 255.0f : 0.5f;    // rounds to the largest
+      }));
+    }
+    test::Listener listener;
+    EXPECT_OK(writeImage(folder_.path("cut.png"), content, SampleType::uint8, listener.context()));
+    QCOMPARE(listener.sentences.size(), std::size_t{1});
+    QVERIFY(contains(listener.sentences[0],
+                     "the values of 2 pixels lie beyond what 8 bit samples hold and were clipped"));
+    listener.sentences.clear();
+    EXPECT_OK(writeImage(folder_.path("cut.exr"), content, SampleType::half, listener.context()));
+    QVERIFY(listener.sentences.empty());
   }
 
   void channelsAreFoundByName() {

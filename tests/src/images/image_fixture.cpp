@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <QFile>
-
 namespace cutis::test {
 
 namespace fs = std::filesystem;
@@ -16,11 +14,6 @@ namespace {
 [[noreturn]] void fail(const std::string& what) {
   std::fprintf(stderr, "fixture: %s\n", what.c_str());
   std::abort();
-}
-
-float random01(unsigned& state) {
-  state = state * 1664525u + 1013904223u;
-  return static_cast<float>(state >> 8) / 16777216.0f;
 }
 
 }  // namespace
@@ -36,18 +29,6 @@ std::vector<std::string> ImageFolder::names() const {
   }
   std::sort(names.begin(), names.end());
   return names;
-}
-
-QByteArray readBytes(const fs::path& path) {
-  QFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::ReadOnly)) fail("cannot read " + path.string());
-  return file.readAll();
-}
-
-void writeBytes(const fs::path& path, const QByteArray& bytes) {
-  QFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::WriteOnly)) fail("cannot write " + path.string());
-  file.write(bytes);
 }
 
 Plane makePlane(int width, int height, const std::function<float(int x, int y)>& value,
@@ -87,23 +68,6 @@ ImageContent makeContent(int width, int height, const std::vector<std::string>& 
     }));
   }
   return content;
-}
-
-void writeForeign(const fs::path& path, const std::string& format, const OIIO::ImageSpec& spec,
-                  const std::vector<float>& samples) {
-  auto output = OIIO::ImageOutput::create(format);
-  if (!output || !output->open(path.string(), spec) ||
-      !output->write_image(OIIO::TypeFloat, samples.data()) || !output->close()) {
-    fail("cannot write " + path.string());
-  }
-}
-
-std::vector<float> noise(std::size_t count, unsigned seed) {
-  std::vector<float> values(count);
-  unsigned state = seed;
-  for (float& value : values)
-    value = random01(state);
-  return values;
 }
 
 JobContext Listener::context() {

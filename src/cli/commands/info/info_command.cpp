@@ -11,6 +11,7 @@ namespace {
 
 struct InfoCommand {
   std::string file;
+  std::string layer;
   bool system = false;
 };
 
@@ -18,9 +19,12 @@ Status runInfoCommand(const InfoCommand& command, Session& session) {
   if (command.system != command.file.empty()) {
     return usageError("info", "name a file or give --system, and not both");
   }
+  if (command.system && !command.layer.empty()) {
+    return usageError("--layer", "this chooses a layer of a file; leave it out");
+  }
   std::string text = describeSystem();
   if (!command.system) {
-    CUTIS_TRY(description, describeFile(command.file, session));
+    CUTIS_TRY(description, describeFile(command.file, command.layer, session));
     text = description;
   }
   return printText(text, kOutputLost);
@@ -35,6 +39,7 @@ void addInfoCommand(CLI::App& app, Invocation& invocation) {
                  options, runInfoCommand);
   addOption(command, "FILE", options->file, "",
             "Image, maps, capture, rig, profile, recipe or cached table");
+  addOption(command, "--layer", options->layer, "NAME", "Layer or part of an OpenEXR image");
   command.add_flag("--system", options->system,
                    "Version, machine, and the built-in profiles, rigs, lights, observers and "
                    "cameras");

@@ -155,11 +155,28 @@ std::string colorsText(const FileColors& colors, const std::string& path) {
   return text;
 }
 
-Result<std::string> describeImage(const std::string& path, const Session& session) {
-  CUTIS_TRY(header, readImageHeader(path, session.context));
+std::string orientationText(const ImageHeader& header) {
+  if (header.orientation == Orientation::upright) return {};
+  return "lies turned in the file (orientation " +
+         std::to_string(static_cast<int>(header.orientation)) + "), is read upright";
+}
+
+std::string alphaText(const ImageHeader& header) {
+  if (header.layer.alpha < 0) return {};
+  return header.alphaKind == AlphaKind::associated ? "colours are multiplied by it"
+                                                   : "colours are straight";
+}
+
+Result<std::string> describeImage(const std::string& path, const std::string& layer,
+                                  const Session& session) {
+  CUTIS_TRY(header, readImageHeader(path, session.context, layer));
+  CUTIS_TRY(layers, listLayers(path, session.context));
   std::string text = line("kind", "image");
   text += line("size", sizeText(header.width, header.height));
-  text += line("channels", listOf(header.channelNames));
+  text += line("orientation", orientationText(header));
+  text += line("channels", listOf(layer.empty() ? header.channelNames : header.layer.channelNames));
+  text += line("layers", layers.size() > 1 ? layerNames(layers) : "");
+  text += line("alpha", alphaText(header));
   text += line("samples", sampleTypeName(header.sourceType));
   text += colorsText(header.colors, path);
   for (const char* name : {"Make", "Model", "DateTime", "ImageDescription", "Copyright"}) {
@@ -220,7 +237,9 @@ bool isTable(const std::string& path) {
 
 }  // namespace
 
-Result<std::string> describeFile(const std::string& path, const Session& session) {
+Result<std::string> describeFile(const std::string& path, const std::string& layer,
+                                 const Session& session) {
+  if (!layer.empty()) return describeImage(path, layer, session);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return describeCapture(path, session);
   if (looksLikeCapture(path)) return describeJson(path, session);
@@ -229,7 +248,7 @@ Result<std::string> describeFile(const std::string& path, const Session& session
            line("bytes", std::to_string(fs::file_size(path, ignored)));
   }
   if (isMapsFile(path)) return describeMaps(path, session);
-  return describeImage(path, session);
+  return describeImage(path, {}, session);
 }
 
 }  // namespace cutis

@@ -9,6 +9,8 @@
 
 namespace cutis {
 
-Result<std::string> describeFile(const std::string& path, const Session& session);
+// layer: of an image; empty: see readImageHeader().
+Result<std::string> describeFile(const std::string& path, const std::string& layer,
+                                 const Session& session);
 
 }  // namespace cutis
