@@ -48,7 +48,7 @@ Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
 
 }  // namespace
 
-Result<ParameterVector> parseParameters(const std::vector<std::string_view>& fields,
+Result<ParameterVector> parseParameters(std::span<const std::string_view> fields,
                                         const ParameterAxes& axes, const std::string& place,
                                         ErrorKind kind) {
   if (fields.size() != kParameterCount) {
@@ -78,10 +78,10 @@ Result<ParameterVector> parseParameters(const std::vector<std::string_view>& fie
 Result<std::vector<ParameterVector>> readParameterSets(const std::string& path,
                                                        const ParameterAxes& axes) {
   CUTIS_TRY(text, readTextFile(path, kLargestSetsFile));
-  const std::vector<CsvRow> rows = splitCsv(text);
+  const CsvTable rows = splitCsv(text);
   if (rows.empty()) return inputError(path, "the file has no rows; begin with a header");
   const auto placeOf = [&](const CsvRow& row) { return path + ":" + std::to_string(row.line); };
-  CUTIS_TRY(columns, columnsOf(rows.front(), placeOf(rows.front())));
+  CUTIS_TRY(columns, columnsOf(rows[0], placeOf(rows[0])));
   std::vector<ParameterVector> sets;
   sets.reserve(rows.size() - 1);
   std::vector<std::string_view> fields(kParameterCount);

@@ -2,6 +2,7 @@
 
 // Parameters of several people as rows of comma-separated text.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@
 namespace cutis {
 
 // One set, "0.02,0.5,0.02,0.01,0.001", in the order of Parameter. `place` names it in errors.
-Result<ParameterVector> parseParameters(const std::vector<std::string_view>& fields,
+Result<ParameterVector> parseParameters(std::span<const std::string_view> fields,
                                         const ParameterAxes& axes, const std::string& place,
                                         ErrorKind kind);
 

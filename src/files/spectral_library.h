@@ -13,7 +13,7 @@
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 #include "core/spectra/colorimetry.h"
-#include "src/files/spectral_csv.h"
+#include "src/files/spectra/spectral_csv.h"
 
 namespace cutis {
 

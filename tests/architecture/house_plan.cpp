@@ -58,9 +58,10 @@ constexpr Room kRooms[] = {
      "core/base core/maths core/spectra core/skin/* core/rig core/fit/* core/evaluate"},
 
     {"src/files/io", "core/base"},
-    {"src/files", "core/* resources src/files/io"},
-    {"src/files/profiles", "core/* resources src/files src/files/io"},
-    {"src/files/networks", "core/* resources src/files src/files/io"},
+    {"src/files/spectra", "core/base core/spectra src/files/io"},
+    {"src/files", "core/* resources src/files/io src/files/spectra"},
+    {"src/files/profiles", "core/* resources src/files src/files/io src/files/spectra"},
+    {"src/files/networks", "core/* resources src/files src/files/io src/files/spectra"},
 
     {"src/images/codec", "core/base core/spectra src/files/io"},
     {"src/color", "core/* src/files/*"},

@@ -13,8 +13,8 @@
 #include "src/cli/output_check.h"
 #include "src/cli/standard_output.h"
 #include "src/files/io/atomic_write.h"
-#include "src/files/measured_spectra_file.h"
 #include "src/files/profiles/profile_file.h"
+#include "src/files/spectra/measured_spectra_file.h"
 
 namespace cutis {
 namespace {
@@ -41,9 +41,9 @@ Result<WavelengthRange> wavelengthRangeOf(const std::string& text) {
   return usageError("--range", "'" + text + "' is empty; write the smaller wavelength first");
 }
 
-// A name that would read as a comment, or that holds quotes, is quoted.
+// A name that would read as a comment or as several fields is quoted.
 std::string quotedId(const std::string& id) {
-  if (!id.starts_with('#') && id.find('"') == std::string::npos) return id;
+  if (!id.starts_with('#') && id.find_first_of(",\"\n\r") == std::string::npos) return id;
   std::string text = "\"";
   for (const char c : id) {
     if (c == '"') text += '"';

@@ -27,9 +27,10 @@ struct SpectrumCommand {
 Result<std::vector<ParameterVector>> setsOf(const SpectrumCommand& command,
                                             const ParameterAxes& axes) {
   if (!command.csv.empty()) return readParameterSets(command.csv, axes);
-  const std::vector<CsvRow> rows = splitCsv(command.parameters);
-  CUTIS_TRY(set, parseParameters(rows.empty() ? std::vector<std::string_view>() : rows[0].fields,
-                                 axes, "--params", ErrorKind::input));
+  const CsvTable rows = splitCsv(command.parameters);
+  CUTIS_TRY(set,
+            parseParameters(rows.empty() ? std::span<const std::string_view>() : rows[0].fields,
+                            axes, "--params", ErrorKind::input));
   return std::vector<ParameterVector>{set};
 }
 

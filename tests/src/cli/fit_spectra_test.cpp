@@ -166,6 +166,24 @@ class FitSpectraTest : public QObject {
     QCOMPARE(std::string(rows[1].fields[0]), std::string("#0"));
   }
 
+  void namesThatHoldSeparatorsAreQuoted() {
+    run_.write("in.csv",
+               "nm,\"cheek, left\",\"a\n\"\"b\"\"\"\n400,.1,.1\n450,.2,.2\n500,.2,.2\n"
+               "550,.3,.3\n600,.4,.4\n");
+    EXPECT_DONE(run_.run("fit-spectra in.csv -o out.csv"));
+    const std::string written = run_.read("out.csv");
+    QVERIFY2(written.find("\n\"cheek, left\",") != std::string::npos, written.c_str());
+    QVERIFY2(written.find("\n\"a\n\"\"b\"\"\",") != std::string::npos, written.c_str());
+  }
+
+  void percentIsSaid() {
+    run_.write("in.csv", "id;400;450;500;550;600\na;10,5;20;30;40;50\n");
+    const Outcome outcome = run_.run("fit-spectra in.csv -o out.csv");
+    QCOMPARE(outcome.status, 0);
+    QCOMPARE(outcome.errors,
+             std::string("cutis-cli: note: in.csv: reflectances are read as percent\n"));
+  }
+
   void wrongFilesLeaveNothing_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("part");
@@ -174,8 +192,8 @@ class FitSpectraTest : public QObject {
                           << "wrong.csv:2, column 6: 'x'";
     QTest::newRow("negative") << header + "a,.1,.2,.3,.4,-1\n"
                               << "wrong.csv:2, column 6: the reflectance -1";
-    QTest::newRow("percent") << header + "a,10,20,30,40,50\n"
-                             << "divide percentages by 100";
+    QTest::newRow("one in percent") << header + "a,.1,20,.3,.4,.5\n"
+                                    << "wrong.csv:2, column 3: the reflectance 20 is not a share";
     QTest::newRow("short") << header + "a,.1\n"
                            << "wrong.csv:2: the row has 2 fields";
     QTest::newRow("four wavelengths")

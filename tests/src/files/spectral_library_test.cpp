@@ -109,7 +109,8 @@ class SpectralLibraryTest : public QObject {
     };
     EXPECT_ERROR(light("nm,p\n300,1\n1000,-1\n"), "negative or no power");
     EXPECT_ERROR(light("nm,p\n300,0\n1000,0\n"), "negative or no power");
-    EXPECT_ERROR(light("um,p\n0.3,1\n1.0,1\n"), "between 300 and 1000 nm");
+    EXPECT_ERROR(light("nm,p\n1100,1\n1200,1\n"), "between 300 and 1000 nm");
+    EXPECT_NEAR(light("um,p\n0.3,1\n1.0,1\n").value()[7], 1.0, 1e-12);
     const auto three = folder.write("three.csv", "nm,r,g,b\n300,1,1,1\n1000,1,1,1\n").string();
     EXPECT_ERROR(loadCamera({three, {}, "t"}), "columns R, G, B (camera) or X, Y, Z (observer)");
     EXPECT_ERROR(loadPrimaries({three, {}, "t"}), "columns R, G, B");

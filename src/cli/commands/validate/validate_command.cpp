@@ -16,9 +16,9 @@
 #include "src/cli/output_check.h"
 #include "src/cli/standard_output.h"
 #include "src/cli/text_table.h"
-#include "src/files/measured_spectra_file.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/rig_file.h"
+#include "src/files/spectra/measured_spectra_file.h"
 #include "src/report/picture_file.h"
 
 namespace cutis {

@@ -1,4 +1,4 @@
-#include "src/files/measured_spectra_file.h"
+#include "src/files/spectra/measured_spectra_file.h"
 
 #include <QtTest>
 
@@ -62,6 +62,12 @@ class MeasuredSpectraTest : public QObject {
     QVERIFY((spectra.value().reflectances == Numbers{0.2, 0.3}));
   }
 
+  void whatIsOutsideTheRangeDoesNotMatter() {
+    EXPECT_OK(parse("id,380,390,400,500,710,720\na,nan,,.2,.3,#N/A,1e9\n"));
+    EXPECT_OK(parse("id,390,400,500,710\na,x,.2,.3\n"));
+    EXPECT_OK(parse("nm,a\n390,-\n400,.2\n500,.3\n710,\n"));
+  }
+
   // Instruments are noisy at their ends.
   void negativeValuesOutsideTheRangeDoNotMatter() {
     EXPECT_OK(parse("id,390,400,500\na,-.1,.2,.3\n"));
@@ -74,8 +80,6 @@ class MeasuredSpectraTest : public QObject {
       QTest::newRow(name) << text << message;
     };
     row("comments only", "# nothing\n", "m.csv: the file has no rows");
-    row("semicolons", "id;400;500\na;0,1;0,2\n", "m.csv:1: fields are separated by semicolons");
-    row("tabs", "id\t400\t500\na\t.1\t.2\n", "m.csv:1: fields are separated by semicolons or tabs");
     row("one column", "400\n500\n", "m.csv:1: there is one column only");
     row("no wavelengths", "# c\nid,a,b\nx,.1,.2\n", "m.csv:2: there are no wavelengths");
     row("micrometres", "id,0.4,0.5\na,.1,.2\n", "m.csv:1: there are no wavelengths");
@@ -98,12 +102,28 @@ class MeasuredSpectraTest : public QObject {
     row("empty", "id,400,500\na,.1,\n", "m.csv:2, column 3: '' is not a finite number");
     row("nan", "nm,a\n400,nan\n500,.1\n", "m.csv:2, column 2: 'nan' is not a finite number");
     row("infinite", "id,400,500\na,inf,.1\n", "m.csv:2, column 2: 'inf' is not a finite number");
-    row("nan outside the range", "id,390,400,500\na,nan,.1,.2\n", "m.csv:2, column 2: 'nan'");
     row("negative", "id,400,500\n\na,.1,-.2\n",
         "m.csv:3, column 3: the reflectance -0.2 is negative");
-    row("percent", "id,400,500\na,37.5,41\n",
-        "m.csv:2, column 2: the reflectance 37.5 is not a share from 0 to 1; divide percentages by "
-        "100");
+    row("no data", "#N/A\nid,400,500\na,.1,#N/A\n", "m.csv:3, column 3: '#N/A' is not a finite");
+    row("one in percent", "id,400,500,600\na,.3,37.5,.4\n",
+        "m.csv:2, column 3: the reflectance 37.5 is not a share from 0 to 1 as most others are");
+    row("one spectrum in shares", "id,400,500\na,20,37.5\nb,20,30\nc,.2,.4\n",
+        "m.csv:4, column 3: the reflectance 0.4 is the largest of its spectrum");
+    row("beyond percent", "nm,a\n400,200\n500,300\n",
+        "m.csv:3, column 2: the reflectance 300 is neither a share from 0 to 1 nor percent");
+    row("open quote", "id,400,500\n\"a,.1,.2\nb,.3,.4\n", "m.csv:2: a quote opens here");
+    row("wavenumbers", "wavenumber (cm-1),a\n25000,.1\n20000,.2\n",
+        "m.csv:1, column 1: the heading names wavenumbers");
+    row("not the unit of the heading", "wavelength_um,a\n400,.1\n500,.2\n",
+        "m.csv:1, column 1: by the unit in this heading the wavelengths are 400000 to 500000 nm");
+    row("thousands or decimals", "nm;a;b\n400;0,1;0,2\n500;1.234;0,3\n",
+        "m.csv:3, column 2: '1.234' may be a decimal number or thousands");
+    row("two decimal marks", "nm;a;b\n400;0,1;0,2\n500;0.1;0,3\n",
+        "m.csv:3, column 2: '0.1' is not written as the other numbers are, with decimal commas");
+    row("misspelt wavelength in a column", "nm,a\n4o0,.1\n500,.2\n600,.3\n",
+        "m.csv:2, column 1: '4o0' is not a wavelength");
+    row("misspelt below", "nm,a\n400,.1\n500,.2\n6o0,.3\n",
+        "m.csv:4, column 1: '6o0' is not a wavelength");
   }
   void errorsSayWhere() {
     QFETCH(QString, text);
