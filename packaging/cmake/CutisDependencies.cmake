@@ -25,6 +25,7 @@ target_compile_definitions(cutis_eigen INTERFACE EIGEN_DONT_PARALLELIZE)
 if(NOT CUTIS_CORE_ONLY)
   # Their CMake configurations on Debian 12 do not work without extra packages; pkg-config does.
   pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
+  pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
   pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO)
   pkg_check_modules(lcms2 REQUIRED IMPORTED_TARGET lcms2)
   find_package(ZLIB REQUIRED)

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "src/images/codec/luma_chroma_input.h"
 #include "src/images/codec/oiio_text.h"
 #include "src/images/codec/png_check.h"
 #include "src/images/codec/tiff_check.h"
@@ -144,17 +145,8 @@ Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
     }
     OIIO::ImageSpec hints, spec;
     hints.attribute("oiio:UnassociatedAlpha", 1);  // leave colours as they are stored
-    if (!reader.input_->open(reader.place_, spec, hints)) {
-      return reader.damaged(reader.input_->geterror());
-    }
+    CUTIS_CHECK(reader.openInput(spec, hints));
     reader.input_->geterror();  // what did not keep it from opening
-    if (needsRawColors(kind, spec)) {
-      hints.attribute("oiio:RawColor", 1);
-      reader.input_->close();
-      if (!reader.input_->open(reader.place_, spec, hints)) {
-        return reader.damaged(reader.input_->geterror());
-      }
-    }
     if (kind == ImageFileKind::openExr) {
       reader.partCount_ = std::max(1, spec.get_int_attribute("oiio:subimages", 1));
     }
@@ -167,6 +159,26 @@ Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
                                          " are read");
   }
   return reader;
+}
+
+// With the pixels as they are stored where OpenImageIO would change their colours or not read them.
+Status ImageReader::openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints) {
+  const bool opened = input_->open(place_, spec, hints);
+  const std::string reason = opened ? std::string() : input_->geterror();
+  if (kind_ == ImageFileKind::tiff && (!opened || needsRawColors(kind_, spec))) {
+    hints.attribute("oiio:RawColor", 1);
+    input_->close();
+    if (input_->open(place_, spec, hints)) return {};
+  }
+  if (!opened && kind_ == ImageFileKind::openExr) {
+    auto input = openLumaChroma(place_);
+    if (input && input->open(place_, spec)) {
+      input_ = std::move(input);
+      return {};
+    }
+  }
+  if (opened) return {};
+  return damaged(reason);
 }
 
 Result<ImagePart> ImageReader::part(int index) try {

@@ -70,6 +70,7 @@ class ImageReader {
   Result<std::vector<Plane>> readStored(const ImagePart& part, std::span<const int> channels,
                                         PixelFormat format, const std::shared_ptr<TileStore>& store,
                                         const JobContext& context);
+  Status openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints);
   Status readRows(const ImagePart& part, int y0, int y1, std::vector<std::byte>& buffer,
                   std::size_t offset);
   Error damaged(const std::string& reason) const;

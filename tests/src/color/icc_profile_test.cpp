@@ -190,8 +190,8 @@ class IccProfileTest : public QObject {
   // Device numbers that are linear in XYZ behind a curve, so that any interpolation is exact.
   void tablesAreFollowedAndInverted() {
     const Eigen::Matrix3d colorants =
-        adaptationMatrix(ChromaticAdaptation::bradford, kP3D65.xyzOfWhite(), test::iccD50()) *
-        xyzFromRgb(kP3D65);
+        adaptationMatrix(ChromaticAdaptation::bradford, kRec709.xyzOfWhite(), test::iccD50()) *
+        xyzFromRgb(kRec709);
     const auto xyz = [&](std::array<double, 4> n) -> Eigen::Vector3d {
       return (colorants * Eigen::Vector3d(n[0], n[1], n[2])).cwiseMax(0.0);
     };
@@ -201,7 +201,7 @@ class IccProfileTest : public QObject {
     EXPECT_OK(profile);
     const ColorSpace& space = profile.value().space;
     QVERIFY(!space.matrix);
-    const Eigen::Matrix3d matrix = rgbFromRgb(kRec709, kP3D65);
+    const Eigen::Matrix3d matrix = rgbFromRgb(kRec709, kRec709);
     for (const Eigen::Vector3d& n :
          {Eigen::Vector3d(0.3, 0.5, 0.7), Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0.8, 0.6, 0.5),
           Eigen::Vector3d(0.1, 0.2, 0.15), Eigen::Vector3d(0.9, 0.1, 0.2)}) {

@@ -414,6 +414,62 @@ class DeclaredColorsTest : public QObject {
     test::writeBytes(path, QByteArray::fromStdString(bytes));
   }
 
+  // Y, RY and BY, chroma with half the samples, uncompressed halves, as OpenEXR's RgbaFile lays
+  // them out. One colour, so that any reconstruction gives it back.
+  void luminanceAndChromaAreConverted() {
+    constexpr int kSide = 8;
+    const auto little = [](std::uint64_t value, int bytes) {
+      std::string out;
+      for (int i = 0; i < bytes; ++i)
+        out += static_cast<char>(value >> (8 * i) & 0xff);
+      return out;
+    };
+    const auto attribute = [&](const std::string& name, const std::string& type,
+                               const std::string& value) {
+      return name + '\0' + type + '\0' + little(value.size(), 4) + value;
+    };
+    std::string channels;
+    for (const auto& [name, step] : {std::pair{"BY", 2}, {"RY", 2}, {"Y", 1}}) {
+      channels += name + std::string(1, '\0') + little(1, 4) + little(0, 4) +
+                  little(static_cast<std::uint64_t>(step), 4) +
+                  little(static_cast<std::uint64_t>(step), 4);
+    }
+    const std::string window =
+        little(0, 4) + little(0, 4) + little(kSide - 1, 4) + little(kSide - 1, 4);
+    const std::string head =
+        little(20000630, 4) + little(2, 4) + attribute("channels", "chlist", channels + '\0') +
+        attribute("compression", "compression", std::string(1, '\0')) +
+        attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window) +
+        attribute("lineOrder", "lineOrder", std::string(1, '\0')) +
+        attribute("pixelAspectRatio", "float", little(0x3f800000, 4)) +
+        attribute("screenWindowCenter", "v2f", little(0, 8)) +
+        attribute("screenWindowWidth", "float", little(0x3f800000, 4)) + '\0';
+    // Y = 0.5, (R − Y) / Y = 0.5, (B − Y) / Y = −0.5.
+    std::string table, lines;
+    for (int y = 0; y < kSide; ++y) {
+      std::string row;
+      for (int x = 0; y % 2 == 0 && x < kSide / 2; ++x)
+        row += little(0xb800, 2);
+      for (int x = 0; y % 2 == 0 && x < kSide / 2; ++x)
+        row += little(0x3800, 2);
+      for (int x = 0; x < kSide; ++x)
+        row += little(0x3800, 2);
+      table += little(head.size() + 8 * kSide + lines.size(), 8);
+      lines += little(static_cast<std::uint64_t>(y), 4) + little(row.size(), 4) + row;
+    }
+    const auto path = folder_.path("yc.exr");
+    test::writeBytes(path, QByteArray::fromStdString(head + table + lines));
+    const auto image = readImage(path, {PixelFormat::float32}, nullptr, {});
+    EXPECT_OK(image);
+    QCOMPARE(image.value().channelNames, (std::vector<std::string>{"R", "G", "B"}));
+    const double green = (0.5 - 0.2126 * 0.75 - 0.0722 * 0.25) / 0.7152;
+    EXPECT_NEAR(test::pixelOf(image.value().channels[0], 3, 4), 0.75, 2e-3);
+    EXPECT_NEAR(test::pixelOf(image.value().channels[1], 3, 4), green, 2e-3);
+    EXPECT_NEAR(test::pixelOf(image.value().channels[2], 3, 4), 0.25, 2e-3);
+    test::writeBytes(path, QByteArray::fromStdString((head + table + lines).substr(0, 500)));
+    QVERIFY(readImage(path, {PixelFormat::float32}, nullptr, {}).failed());
+  }
+
   void inksNeedTheirProfile() {
     const std::vector<std::uint32_t> samples = {0, 0,   0, 0, 255, 0, 0, 0,
                                                 0, 255, 0, 0, 0,   0, 0, 255};
@@ -497,8 +553,6 @@ class DeclaredColorsTest : public QObject {
              decided.value().contradictions.empty()
                  ? ""
                  : decided.value().contradictions.front().c_str());
-    for (const ColorStatement& statement : header.value().colors.statements)
-      QCOMPARE(QString::fromStdString(statement.space.name), space);
     auto input = OIIO::ImageInput::open(path.string());
     QVERIFY(input != nullptr);
     for (const char* stale : {"acesImageContainerFlag", "colorInteropID"})
