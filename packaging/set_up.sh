@@ -11,7 +11,7 @@ cd "$cutis_root" || exit 1
 cutis_packages=(
   g++ cmake ninja-build pkg-config ccache
   qt6-base-dev qt6-svg-dev
-  libopenimageio-dev openimageio-tools libopencolorio-dev
+  libopenimageio-dev openimageio-tools libopencolorio-dev liblcms2-dev
   libeigen3-dev libtbb-dev libhwy-dev libcli11-dev nlohmann-json3-dev libxxhash-dev
   libimath-dev zlib1g-dev libbenchmark-dev clang-format
   xvfb fonts-dejavu-core

@@ -12,10 +12,8 @@ namespace cutis {
 
 // Index of the space this name or alias means; nothing if it is none of ours.
 std::optional<int> builtInSpace(const std::string& name);
-std::string builtInSpaceName(int index);
 std::vector<std::string> builtInSpaceNames();
 
-ColorConverter builtInToLinearRec709(int index);
-ColorConverter builtInFromLinearRec709(int index);
+const ColorSpace& builtInSpaceAt(int index);
 
 }  // namespace cutis

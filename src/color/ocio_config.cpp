@@ -144,7 +144,7 @@ struct OcioConfig::Impl {
   } catch (const std::exception& error) {
     return inputError(place, "the configuration of $OCIO cannot convert '" + name + "' (" +
                                  oneLine(error.what()) +
-                                 "); correct it or use a built-in colour space");
+                                 "); correct it, unset $OCIO or use another colour space");
   }
 };
 

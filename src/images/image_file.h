@@ -31,6 +31,7 @@
 #include "src/images/codec/image_formats.h"
 #include "src/images/codec/metadata.h"
 #include "src/images/codec/sample_type.h"
+#include "src/images/color/color_statement.h"
 #include "src/images/image_layers.h"
 #include "src/images/pixels/alpha.h"
 #include "src/images/pixels/orientation.h"
@@ -66,6 +67,8 @@ struct ImageHeader {
   SampleType sourceType = SampleType::uint8;  // the widest of the layer's channels
   // What the file says; may be empty, and a name nobody knows.
   std::string colorSpace;
+  // All that it says of its colours.
+  FileColors colors;
   ImageMetadata metadata;
 
   // -1 if there is none of that name.
@@ -108,6 +111,7 @@ struct ImageContent {
   AlphaKind alphaKind = AlphaKind::straight;
   // Of a changed picture: what it was read from. Channels are those of the source, in its order.
   std::optional<ImageHeader> source = {};
+  bool isSourceSpace = true;    // the colours are in the source's colour space
   std::string sourceHash = {};  // ContentHash of its file, by which it is known to be the same
 };
 

@@ -75,10 +75,19 @@ ImageContent plainLayer(const ImageContent& content) {
 }
 
 // Only OpenEXR has names for layers; everywhere else the one that was chosen is the picture.
+bool isLayerByName(const ImageContent& content) {
+  if (!content.source || !content.source->layer.colors) return false;
+  const std::array<int, 3>& colors = *content.source->layer.colors;
+  for (std::size_t c = 0; c < colors.size(); ++c) {
+    constexpr std::array<std::string_view, 3> plain = {"R", "G", "B"};
+    if (content.channelNames[static_cast<std::size_t>(colors[c])] != plain[c]) return true;
+  }
+  return false;
+}
+
 ImageContent namedFor(const ImageFormat& format, const ImageContent& content) {
-  const bool isNamed = content.source && content.source->layer.colors &&
-                       content.source->kind == ImageFileKind::openExr;
-  return isNamed && format.kind != ImageFileKind::openExr ? plainLayer(content) : content;
+  const bool isExr = format.kind == ImageFileKind::openExr;
+  return !isExr && isLayerByName(content) ? plainLayer(content) : content;
 }
 
 AlphaKind alphaKindIn(const ImageFormat& format, AlphaKind given) {
@@ -236,7 +245,9 @@ Status writeAnew(const std::filesystem::path& path, const ImageContent& given,
     sayLeftOut(content, place, context);
   }
   const std::vector<std::size_t> channels = chosenChannels(content.channelNames, format);
-  if (channels.size() < given.channels.size()) {
+  if (content.channels.size() < given.channels.size()) {
+    context.say(place + ": only the layer is written; the other channels are left out");
+  } else if (channels.size() < given.channels.size()) {
     context.say(place + ": " + std::string(format.name) + " has room for " +
                 std::to_string(channels.size()) + " of the " +
                 std::to_string(given.channels.size()) + " channels; the others are left out");
@@ -258,6 +269,9 @@ Status writeEdition(const std::filesystem::path& path, const ImageContent& conte
   const Headers headers =
       headersOf(plainSpec(content, {0}, format, type), content, format, type, place, context);
   CUTIS_TRY(edition, makeExrEdition(content, headers.full, headers.plain, type, place, context));
+  if (!content.isSourceSpace && edition.parts.size() > 1) {
+    context.say(place + ": the other parts keep the colour space of the source");
+  }
   return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Status {
     CUTIS_CHECK(
         writeParts(temporary, place, format.kind, type, edition.parts, edition.plain, context));

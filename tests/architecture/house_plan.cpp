@@ -64,10 +64,15 @@ constexpr Room kRooms[] = {
 
     {"src/images/pixels", "core/base"},
     {"src/images/codec", "core/base core/spectra src/files/io src/images/pixels"},
-    {"src/images", "core/* src/files/io src/images/codec src/images/pixels"},
-    {"src/images/maps", "core/* src/files/* src/images src/images/codec"},
-    {"src/images/capture", "core/* src/files/* src/images src/images/codec src/images/pixels"},
     {"src/color", "core/* src/files/*"},
+    {"src/images/color", "core/* src/files/io src/color src/images/codec"},
+    {"src/images",
+     "core/* src/files/io src/color src/images/codec src/images/color src/images/pixels"},
+    {"src/images/maps",
+     "core/* src/files/* src/color src/images src/images/codec src/images/color"},
+    {"src/images/capture",
+     "core/* src/files/* src/color src/images src/images/codec src/images/color "
+     "src/images/pixels"},
     {"src/register", "core/* src/files/*"},
     {"src/report", "core/base src/files src/files/io"},
     {"src/report/plot", "core/base src/report"},

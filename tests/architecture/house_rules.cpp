@@ -51,6 +51,9 @@ std::string libraryObjection(const std::string& folder, const std::string& heade
   if (header.starts_with("OpenColorIO") && folder != "src/color") {
     return "only src/color includes OpenColorIO";
   }
+  if (header.starts_with("lcms2") && folder != "src/color") {
+    return "only src/color includes LittleCMS";
+  }
   if (!isQt(header)) return {};
   if (isCore(folder)) return "core includes no Qt";
   const std::string module = qtModuleOf(header);
@@ -66,6 +69,7 @@ std::string linkObjection(const std::string& folder, const std::string& library)
   const auto is = [&](const char* part) { return library.find(part) != std::string::npos; };
   if (is("OpenImageIO") && folder != "src/images") return "only src/images links OpenImageIO";
   if (is("OpenColorIO") && folder != "src/color") return "only src/color links OpenColorIO";
+  if (is("lcms2") && folder != "src/color") return "only src/color links LittleCMS";
   if (!library.starts_with("Qt6::")) return {};
   if (isCore(folder)) return "core links no Qt";
   if (folder == "src/app" && library != "Qt6::Core") return "src/app links QtCore only";

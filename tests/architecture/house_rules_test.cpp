@@ -115,7 +115,8 @@ class HouseRulesTest : public QObject {
       QVERIFY(!mayInclude(reader, "src/app") && !mayInclude(reader, "ui/view"));
       QVERIFY(mayInclude("src/cli/commands", reader));
     }
-    QVERIFY(!mayInclude("src/images", "src/color") && !mayInclude("src/report", "core/skin"));
+    QVERIFY(mayInclude("src/images/color", "src/color"));
+    QVERIFY(!mayInclude("src/color", "src/images") && !mayInclude("src/report", "core/skin"));
     QVERIFY(mayInclude("src/app/document", "src/app/open"));
     QVERIFY(!mayInclude("src/app/open", "src/app/document"));
     QVERIFY(mayInclude("src/app/export", "src/app/document"));

@@ -154,6 +154,7 @@ ImageContent contentOf(const Source& source, const std::vector<Plane>& edited,
     content.channels[static_cast<std::size_t>((*source.image->layer.colors)[c])] = edited[c];
   content.alphaKind = source.image->alphaKind;
   content.source = *source.image;
+  content.isSourceSpace = source.colorSpace == space;
   content.sourceHash = source.image->contentHash;
   return content;
 }

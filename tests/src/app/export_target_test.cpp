@@ -28,7 +28,11 @@ class ExportTargetTest : public QObject {
     QTest::newRow("same") << "a.png" << int(uint16) << int(uint16) << "Display P3";
     QTest::newRow("integers") << "a.jpg" << int(uint16) << int(uint8) << "Display P3";
     QTest::newRow("to floats") << "a.exr" << int(uint8) << int(half) << "Linear Rec.709";
-    QTest::newRow("to integers") << "a.tif" << int(half) << int(uint16) << "sRGB";
+    QTest::newRow("to integers") << "a.png" << int(half) << int(uint16) << "sRGB";
+    QTest::newRow("the next wider") << "a.tif" << int(half) << int(float32) << "Display P3";
+    QTest::newRow("wider integers") << "a.exr" << int(uint16) << int(float32) << "Linear Rec.709";
+    QTest::newRow("doubles") << "a.exr" << int(float64) << int(float32) << "Display P3";
+    QTest::newRow("narrower") << "a.jpg" << int(float32) << int(uint8) << "sRGB";
     QTest::newRow("case") << "a.EXR" << int(float32) << int(float32) << "Display P3";
   }
   void theSourcesTypeAndSpaceStayWhereTheFormatHasThem() {

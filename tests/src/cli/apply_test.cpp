@@ -90,7 +90,8 @@ class ApplyTest : public QObject {
     QVERIFY2(outcome.errors.find("cutis-cli: note: ") == 0, outcome.errors.c_str());
     const Image written = run_.image("out.png");
     QCOMPARE(written.colorSpace, std::string("sRGB"));
-    QVERIFY(written.sourceType == SampleType::uint8);
+    // Halves hold more than 8 bits.
+    QVERIFY(written.sourceType == SampleType::uint16);
   }
 
   void mapsOfAnotherPictureAreNoted() {

@@ -8,9 +8,8 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 
-#include "src/images/codec/image_formats.h"
 #include "tests/src/cli/program_run.h"
-#include "tests/src/images/image_fixture.h"
+#include "tests/src/images/foreign_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 

@@ -229,6 +229,35 @@ class CaptureFileTest : public QObject {
                  "there is no such file");
   }
 
+  // Photographs that are offset by pixels do not pass unseen.
+  void displayWindowsAreCompared() {
+    OIIO::ImageSpec spec(20, 10, 3, OIIO::TypeHalf);
+    spec.x = spec.full_x = 3;
+    test::writeForeign(path("green.exr"), "openexr", spec, std::vector<float>(600, 0.3f));
+    EXPECT_ERROR(read(folder_->root()),
+                 "the photograph's display window begins at 3, 0 but that of 'white.exr' at 0, 0");
+    for (const char* name : {"green.exr", "white.exr", "sub/blue.exr"})
+      test::writeForeign(path(name), "openexr", spec, std::vector<float>(600, 0.3f));
+    EXPECT_OK(read(folder_->root()));
+  }
+
+  void coloursAreDividedByTheirAlpha() {
+    ImageContent content = makeContent(20, 10, {"R", "G", "B", "A"});
+    for (int c = 0; c < 4; ++c) {
+      content.channels[static_cast<std::size_t>(c)] = makePlane(20, 10, [&](int x, int) {
+        const float alpha = x == 0 ? 0.0f : 0.5f;
+        return c == 3 ? alpha : 0.4f;
+      });
+    }
+    EXPECT_OK(writeImage(path("white.exr"), content, SampleType::float32, {}));
+    const auto capture = read(folder_->root());
+    EXPECT_OK(capture);
+    const Measurements& measurements = capture.value().measurements;
+    EXPECT_NEAR(test::pixelOf(measurements.channels[0], 5, 5), 0.4, 1e-6);
+    QCOMPARE(test::pixelOf(measurements.state, 0, 5), 1.0f);  // masked
+    QCOMPARE(test::pixelOf(measurements.state, 5, 5), 0.0f);
+  }
+
   void namesDoNotLeadOutOfTheFolder() {
     ImageFolder elsewhere;
     fs::copy_file(path("white.exr"), elsewhere.path("secret.exr"));
