@@ -27,6 +27,7 @@ constexpr int kBadUsage = 2;
 constexpr int kBadInput = 3;
 constexpr int kNoDisplay = 4;
 constexpr int kIdleCheckMs = 20;
+constexpr QSize kPictureSize(1440, 900);
 
 struct Arguments {
   QStringList files;
@@ -114,10 +115,15 @@ class Automaton : public QObject {
 int runEditor(QApplication& application, const Arguments& arguments) {
   cutis::MainWindow window(std::make_unique<cutis::Engine>(cutis::cacheFolder()));
   window.document().setUsualFit(arguments.fit);
-  if (arguments.size) window.resize(*arguments.size);
+  // Pictures are of one size, whatever the screen.
+  if (arguments.size) {
+    window.resize(*arguments.size);
+  } else if (!arguments.screenshot.isEmpty()) {
+    window.resize(kPictureSize);
+  }
   window.show();
   if (arguments.sample) window.opener().openSample();
-  if (!arguments.files.isEmpty()) window.opener().open(arguments.files.first());
+  if (!arguments.files.isEmpty()) window.opener().openAll(arguments.files);
   std::unique_ptr<Automaton> automaton;
   if (!arguments.screenshot.isEmpty()) {
     automaton = std::make_unique<Automaton>(window, arguments);
