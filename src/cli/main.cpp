@@ -1,5 +1,7 @@
 #include "src/cli/program.h"
+#include "src/files/io/last_words.h"
 
 int main(int argc, char** argv) {
+  cutis::endWellWithoutMemory("cutis-cli");
   return cutis::runProgram(argc, argv);
 }

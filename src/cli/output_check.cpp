@@ -22,7 +22,10 @@ Status checkCaptureFolder(const std::string& output) {
   const fs::path folder = fs::absolute(output).lexically_normal();
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
   std::error_code error;
-  if (!fs::exists(named, error)) return checkWritable(named);
+  if (!fs::exists(named, error) && !fs::is_symlink(named, error)) return checkWritable(named);
+  if (!fs::exists(named, error)) {
+    return resourceError(output, "this is a link that leads to no folder; mend the link");
+  }
   if (!fs::is_directory(named, error)) {
     return resourceError(output, "there is a file of this name; name a folder");
   }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <tbb/global_control.h>
@@ -19,12 +20,15 @@
 #include "src/cli/console.h"
 #include "src/cli/help_format.h"
 #include "src/cli/options/train_options.h"
+#include "src/files/io/interruption.h"
+#include "src/files/io/last_words.h"
 #include "src/files/io/platform.h"
 
 namespace cutis {
 namespace {
 
 constexpr int kInterrupted = 130;
+constexpr int kNoMemoryStatus = 4;
 constexpr std::size_t kPictureMemoryBytes = std::size_t{2} << 30;
 
 constexpr char kPurpose[] =
@@ -94,7 +98,6 @@ Status run(const Invocation& invocation, Console& console) {
   if (threads > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   }
-  onInterrupt([] { interruption().request_stop(); });
   Engine engine(cacheFolder(), networkAdvice());
   Session session = {engine,
                      std::make_shared<TileStore>(kPictureMemoryBytes),
@@ -108,15 +111,6 @@ Status run(const Invocation& invocation, Console& console) {
   return invocation.run(session);
 }
 
-// What libraries throw in spite of all is an error like any other.
-Status guarded(const Invocation& invocation, Console& console) try {
-  return run(invocation, console);
-} catch (const std::bad_alloc&) {
-  return resourceError("", "not enough memory; use a smaller picture or close other programs");
-} catch (const std::exception& error) {
-  return resourceError("", error.what());
-}
-
 int report(const Failure& failure, Console& console) {
   if (const auto* error = std::get_if<Error>(&failure)) {
     console.error(error->text());
@@ -126,17 +120,34 @@ int report(const Failure& failure, Console& console) {
   return kInterrupted;
 }
 
+// What libraries throw in spite of all is an error like any other.
+Status readAndRun(int argc, const char* const* argv, Console& console) try {
+  CUTIS_CHECK(onInterrupt([] { interruption().request_stop(); }));
+  CUTIS_TRY(invocation, readCommandLine(argc, argv));
+  if (!invocation) return {};
+  console.setQuiet(invocation->common.quiet);
+  return run(*invocation, console);
+} catch (const std::bad_alloc&) {
+  return resourceError("", kNoMemory);
+} catch (const std::system_error& error) {
+  return resourceError("", error.code() == std::errc::resource_unavailable_try_again
+                               ? std::string(kNoMemory)
+                               : std::string(error.what()));
+} catch (const std::exception& error) {
+  return resourceError("", error.what());
+}
+
 }  // namespace
 
-int runProgram(int argc, const char* const* argv) {
+int runProgram(int argc, const char* const* argv) try {
   Console console;
-  const auto invocation = readCommandLine(argc, argv);
-  if (!invocation) return report(invocation.failure(), console);
-  if (!invocation.value()) return 0;
-  console.setQuiet(invocation.value()->common.quiet);
-  const Status status = guarded(*invocation.value(), console);
+  const Status status = readAndRun(argc, argv, console);
   console.clear();
   return status ? 0 : report(status.failure(), console);
+} catch (const std::exception&) {
+  // Not even the sentence could be put together.
+  sayLastWords(kNoMemory);
+  return kNoMemoryStatus;
 }
 
 }  // namespace cutis

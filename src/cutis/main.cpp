@@ -13,6 +13,8 @@
 #include "core/base/instruction_set.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/fit_choice.h"
+#include "src/files/io/interruption.h"
+#include "src/files/io/last_words.h"
 #include "src/files/io/platform.h"
 #include "src/files/profiles/profile_file.h"
 #include "ui/dialogs/open_controller.h"
@@ -26,6 +28,8 @@ namespace {
 constexpr int kBadUsage = 2;
 constexpr int kBadInput = 3;
 constexpr int kNoDisplay = 4;
+constexpr int kNoMemory = 4;
+constexpr int kInterrupted = 130;
 constexpr int kIdleCheckMs = 20;
 constexpr QSize kPictureSize(1440, 900);
 
@@ -112,6 +116,12 @@ class Automaton : public QObject {
   int idle_ = 0;
 };
 
+// The window closes as if somebody had closed it, whatever dialog is open.
+void closeOnInterrupt() {
+  QMetaObject::invokeMethod(
+      qApp, [] { QCoreApplication::exit(kInterrupted); }, Qt::QueuedConnection);
+}
+
 int runEditor(QApplication& application, const Arguments& arguments) {
   cutis::MainWindow window(std::make_unique<cutis::Engine>(cutis::cacheFolder()));
   window.document().setUsualFit(arguments.fit);
@@ -128,7 +138,9 @@ int runEditor(QApplication& application, const Arguments& arguments) {
   if (!arguments.screenshot.isEmpty()) {
     automaton = std::make_unique<Automaton>(window, arguments);
   }
-  return application.exec();
+  const int status = application.exec();
+  cutis::interrupt();
+  return status;
 }
 
 // Without a display Qt would end the process with an abort.
@@ -140,6 +152,7 @@ bool hasDisplay() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cutis::endWellWithoutMemory("cutis");
 #ifdef Q_OS_LINUX
   if (!hasDisplay()) {
     return fail(kNoDisplay,
@@ -208,5 +221,7 @@ int main(int argc, char** argv) {
   arguments.fit = fit.value();
   if (parser.isSet(reset)) QSettings().clear();
   cutis::theme::apply(application);
+  const auto handled = cutis::onInterrupt(closeOnInterrupt);
+  if (handled.failed()) return fail(kNoMemory, handled.error().text());
   return runEditor(application, arguments);
 }

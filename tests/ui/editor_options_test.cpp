@@ -1,4 +1,8 @@
-// The program cutis itself: what it says to options that are wrong, and that right ones are taken.
+// The program cutis itself: what it says to options that are wrong, that right ones are taken, and
+// how signals end it.
+
+#include <csignal>
+#include <fstream>
 
 #include <QImage>
 #include <QProcess>
@@ -36,6 +40,26 @@ class EditorOptionsTest : public test::UiTest {
     QCOMPARE(errors_.count('\n'), 1);
   }
 
+  void signalsCloseTheWindow_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("interrupt") << SIGINT;
+    QTest::newRow("terminate") << SIGTERM;
+    QTest::newRow("terminal closed") << SIGHUP;
+  }
+  void signalsCloseTheWindow() {
+    QFETCH(int, signal);
+    QProcess process;
+    prepare(process);
+    process.start(CUTIS_EDITOR, {"--sample"});
+    QVERIFY(process.waitForStarted());
+    const auto id = static_cast<pid_t>(process.processId());
+    QTRY_VERIFY_WITH_TIMEOUT(handlesTermination(id), 60000);
+    ::kill(id, signal);
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 130);
+  }
+
   void rightOnesAreTaken() {
     const QStringList usual = {"--sample", "--size", "1024x640", "--screenshot"};
     QCOMPARE(run(usual + QStringList{file("usual.png")}), 0);
@@ -49,14 +73,25 @@ class EditorOptionsTest : public test::UiTest {
   }
 
  private:
-  int run(const QStringList& arguments) {
-    QProcess process;
+  static bool handlesTermination(pid_t process) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (!line.starts_with("SigCgt:")) continue;
+      return ((std::stoull(line.substr(7), nullptr, 16) >> (SIGTERM - 1)) & 1) != 0;
+    }
+    return false;
+  }
+  void prepare(QProcess& process) const {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("QT_QPA_PLATFORM", "offscreen");
     environment.insert("XDG_CONFIG_HOME", file("config"));
     environment.insert("XDG_RUNTIME_DIR", file("."));
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(file("."));
+  }
+  int run(const QStringList& arguments) {
+    QProcess process;
+    prepare(process);
     process.start(CUTIS_EDITOR, arguments);
     if (!process.waitForFinished(120000)) return -1;
     errors_ = QString::fromUtf8(process.readAllStandardError());

@@ -11,7 +11,14 @@ namespace cutis {
 
 // Data and metadata of a closed file are on the disk when this returns true.
 bool flushToDisk(const std::filesystem::path& path);
-bool folderIsWritable(const std::filesystem::path& folder);
+// Whether this process may write to a file, or make files in a folder.
+bool isWritable(const std::filesystem::path& path);
+// A new, empty file that only its owner may read. False if there is something of this name.
+bool createPrivateFile(const std::filesystem::path& path);
+// Gives `to` the mode of `from` (without the bits that run a program as somebody else) and, where
+// the system lets us, its owner, group, access list and extended attributes. Where the group cannot
+// be kept, it may do no more than everybody.
+void keepAttributes(const std::filesystem::path& from, const std::filesystem::path& to);
 unsigned long processId();
 
 // Folder for what can be computed again: $XDG_CACHE_HOME/cutis or ~/.cache/cutis. Not created.
@@ -33,9 +40,5 @@ void* moduleSymbol(const std::string& module, const char* symbol);
 std::string processorName();
 
 bool standardErrorIsTerminal();
-
-// From now on the first interrupt (Ctrl-C) or request to terminate calls `handler` on a thread of
-// its own; the second ends the process with status 130. Call once.
-void onInterrupt(void (*handler)());
 
 }  // namespace cutis

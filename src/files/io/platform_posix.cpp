@@ -1,17 +1,20 @@
 #include <cstdlib>
+#include <cstring>
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <fstream>
-#include <pthread.h>
-#include <signal.h>
+#include <string_view>
 #include <sys/resource.h>
-#include <thread>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "src/files/io/platform.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>
+#endif
+#if defined(__linux__)
+#include <sys/xattr.h>
 #endif
 
 namespace cutis {
@@ -26,6 +29,40 @@ std::size_t statusBytes(const std::string& name) {
   return 0;
 }
 
+#if defined(__linux__)
+
+// Access lists are among them, as system.posix_acl_access.
+bool isKept(std::string_view name) {
+  return name.starts_with("user.") || name == "system.posix_acl_access" ||
+         name == "security.selinux";
+}
+
+void copyExtendedAttributes(const char* from, const char* to) {
+  std::string names, value;
+  ssize_t length = ::listxattr(from, nullptr, 0);
+  if (length <= 0) return;
+  names.resize(static_cast<std::size_t>(length));
+  length = ::listxattr(from, names.data(), names.size());
+  if (length <= 0) return;
+  names.resize(static_cast<std::size_t>(length));  // each ends with a zero
+  for (std::size_t at = 0; at < names.size(); at += std::strlen(&names[at]) + 1) {
+    const char* name = &names[at];
+    if (!isKept(name)) continue;
+    const ssize_t size = ::getxattr(from, name, nullptr, 0);
+    if (size < 0) continue;
+    value.resize(static_cast<std::size_t>(size));
+    if (::getxattr(from, name, value.data(), value.size()) == size) {
+      static_cast<void>(::setxattr(to, name, value.data(), value.size(), 0));
+    }
+  }
+}
+
+#else
+
+void copyExtendedAttributes(const char*, const char*) {}
+
+#endif
+
 }  // namespace
 
 bool flushToDisk(const std::filesystem::path& path) {
@@ -36,8 +73,33 @@ bool flushToDisk(const std::filesystem::path& path) {
   return flushed;
 }
 
-bool folderIsWritable(const std::filesystem::path& folder) {
-  return ::access(folder.c_str(), W_OK | X_OK) == 0;
+bool isWritable(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const int wanted = std::filesystem::is_directory(path, ignored) ? W_OK | X_OK : W_OK;
+  return ::faccessat(AT_FDCWD, path.c_str(), wanted, AT_EACCESS) == 0;
+}
+
+bool createPrivateFile(const std::filesystem::path& path) {
+  const int descriptor =
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  if (descriptor < 0) return false;
+  return ::close(descriptor) == 0;
+}
+
+void keepAttributes(const std::filesystem::path& from, const std::filesystem::path& to) {
+  struct stat was = {}, is = {};
+  if (::stat(from.c_str(), &was) != 0 || ::stat(to.c_str(), &is) != 0) return;
+  mode_t mode = was.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+  constexpr auto kSame = static_cast<uid_t>(-1);
+  if (is.st_gid != was.st_gid && ::chown(to.c_str(), kSame, was.st_gid) != 0) {
+    mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3);
+  }
+  copyExtendedAttributes(from.c_str(), to.c_str());
+  static_cast<void>(::chmod(to.c_str(), mode));
+  // Last, since only the owner may do the rest.
+  if (is.st_uid != was.st_uid && ::chown(to.c_str(), was.st_uid, kSame) != 0) {
+    // Ours from now on.
+  }
 }
 
 unsigned long processId() {
@@ -98,22 +160,6 @@ std::string processorName() {
 
 bool standardErrorIsTerminal() {
   return ::isatty(STDERR_FILENO) == 1;
-}
-
-void onInterrupt(void (*handler)()) {
-  sigset_t signals;
-  ::sigemptyset(&signals);
-  ::sigaddset(&signals, SIGINT);
-  ::sigaddset(&signals, SIGTERM);
-  // Blocked everywhere and taken by one thread: no handler ever interrupts other code.
-  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  std::thread([signals, handler] {
-    int signal = 0;
-    ::sigwait(&signals, &signal);
-    handler();
-    ::sigwait(&signals, &signal);
-    ::_exit(130);
-  }).detach();
 }
 
 }  // namespace cutis

@@ -73,7 +73,7 @@ Result<std::shared_ptr<const LayerTable>> cachedLayerTable(const Profile& profil
   const std::string key = layerTableFingerprint(profile);
   const fs::path path = folder / ("layers-" + key + ".bin");
   std::error_code ignored;
-  if (usable && fs::exists(path, ignored)) {
+  if (usable && fs::is_regular_file(path, ignored)) {
     if (auto table = readLayerTable(path, key))
       return std::make_shared<const LayerTable>(std::move(*table));
     context.say("the cached table " + path.string() +

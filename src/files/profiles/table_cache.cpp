@@ -84,7 +84,7 @@ Result<std::shared_ptr<const SkinTable>> cachedSkinTable(const SkinModel& model,
   const std::string key = keyOf(model, rows);
   const fs::path path = folder / ("table-" + key + ".bin");
   std::error_code ignored;
-  if (usable && fs::exists(path, ignored)) {
+  if (usable && fs::is_regular_file(path, ignored)) {
     if (auto table =
             readSkinTable(path, key, model.profile().axes, static_cast<int>(rows.rows()))) {
       return std::make_shared<const SkinTable>(std::move(*table));

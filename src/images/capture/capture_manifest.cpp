@@ -16,7 +16,11 @@ namespace {
 Result<fs::path> findManifest(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(path, ignored)) return path;
-  if (fs::exists(path / kCaptureFile, ignored)) return path / kCaptureFile;
+  std::error_code error;
+  if (fs::exists(path / kCaptureFile, error)) return path / kCaptureFile;
+  if (error == std::errc::permission_denied) {
+    return inputError(path.string(), "this folder may not be entered; check its permissions");
+  }
   return inputError(path.string(), std::string("there is no ") + kCaptureFile +
                                        " in this folder; name a capture or an image");
 }

@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <atomic>
 #include <cctype>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "src/files/io/atomic_write.h"
-#include "src/files/io/platform.h"
+#include "src/files/io/temporary_path.h"
 #include "src/files/rig_file.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/capture/capture_manifest.h"
@@ -19,29 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char kMaskFile[] = "mask.png";
-
-// A folder that vanishes unless it is renamed away.
-class TemporaryFolder {
- public:
-  explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {}
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-fs::path temporaryBeside(const fs::path& folder) {
-  static std::atomic<unsigned> serial = 0;
-  return folder.parent_path() /
-         ("." + folder.filename().string() + "-" + std::to_string(processId()) + "-" +
-          std::to_string(serial++) + ".partial");
-}
 
 // "studio/" names the same folder as "studio".
 fs::path withoutTrailingSlash(const fs::path& folder) {
@@ -132,18 +108,43 @@ Error cannotCreate(const fs::path& folder, const std::error_code& error) {
                        "the folder cannot be created (" + error.message() + "); write elsewhere");
 }
 
+// capture.json comes last: without it the folder is no capture.
+Status moveFiles(const fs::path& from, const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(from, error))
+    files.push_back(entry.path());
+  std::partition(files.begin(), files.end(),
+                 [](const fs::path& file) { return file.filename() != kCaptureFile; });
+  for (const fs::path& file : files) {
+    if (!error) fs::rename(file, folder / file.filename(), error);
+  }
+  if (!error) return {};
+  return resourceError(folder.string(),
+                       "the files cannot be put in place (" + error.message() + ")");
+}
+
 Status writeNewFolder(const fs::path& folder, const Measurements& measurements,
                       const CaptureWriteOptions& options, const JobContext& context) {
-  const TemporaryFolder temporary(temporaryBeside(folder));
+  const TemporaryPath temporary(temporaryBeside(folder));
   std::error_code error;
   fs::create_directory(temporary.path(), error);
   if (error) return cannotCreate(folder, error);
   CUTIS_CHECK(writeFiles(temporary.path(), folder, measurements, options, context));
-  fs::remove(folder, error);  // if it is there, it is empty
-  error.clear();
   fs::rename(temporary.path(), folder, error);
   if (error) return cannotCreate(folder, error);
   return {};
+}
+
+// An empty folder keeps its permissions, and may be a link or a disk of its own.
+Status fillFolder(const fs::path& folder, const Measurements& measurements,
+                  const CaptureWriteOptions& options, const JobContext& context) {
+  const TemporaryPath temporary(temporaryBeside(folder / "capture"));
+  std::error_code error;
+  fs::create_directory(temporary.path(), error);
+  if (error) return cannotCreate(folder, error);
+  CUTIS_CHECK(writeFiles(temporary.path(), folder, measurements, options, context));
+  return moveFiles(temporary.path(), folder);
 }
 
 }  // namespace
@@ -153,6 +154,9 @@ Status writeCapture(const fs::path& path, const Measurements& measurements,
   const fs::path folder = withoutTrailingSlash(path);
   const std::string place = path.string();
   std::error_code ignored;
+  if (fs::is_symlink(folder, ignored) && !fs::exists(folder, ignored)) {
+    return resourceError(place, "this is a link that leads to no folder; mend the link");
+  }
   if (!fs::exists(folder, ignored)) {
     return writeNewFolder(folder, measurements, options, context);
   }
@@ -160,7 +164,7 @@ Status writeCapture(const fs::path& path, const Measurements& measurements,
     return resourceError(place, "there is a file of this name; name a folder");
   }
   if (fs::is_empty(folder, ignored)) {
-    return writeNewFolder(folder, measurements, options, context);
+    return fillFolder(folder, measurements, options, context);
   }
   if (!fs::exists(folder / kCaptureFile, ignored)) {
     return resourceError(

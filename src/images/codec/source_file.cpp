@@ -9,6 +9,7 @@
 
 #include "core/base/content_hash.h"
 #include "src/files/io/file_extension.h"
+#include "src/files/io/presence.h"
 
 namespace cutis {
 
@@ -41,9 +42,7 @@ std::optional<ImageFileKind> kindOf(std::string_view head, const std::string& ex
 
 Result<ImageFileKind> identifyImageFile(const fs::path& path) {
   const std::string place = path.string();
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  if (!fs::exists(status)) return inputError(place, "there is no such file; check the name");
+  CUTIS_TRY(status, presentStatus(path));
   if (fs::is_directory(status)) {
     return inputError(place, "this is a folder; name an image in it");
   }

@@ -1,9 +1,4 @@
-// The command line itself: help, versions, words nobody knows, words of later versions, Ctrl-C.
-
-#include <csignal>
-#include <fstream>
-
-#include <QThread>
+// The command line itself: help, versions, words nobody knows, words of later versions.
 
 #include "tests/src/cli/program_run.h"
 #include "tests/src/cli/refusal.h"
@@ -14,18 +9,6 @@ namespace cutis::test {
 namespace {
 
 constexpr int kUsage = 2;
-constexpr int kInterrupted = 130;
-
-// Whether the process takes interrupts by itself: they are blocked for a thread that waits for
-// them.
-bool takesInterrupts(qint64 process) {
-  std::ifstream status("/proc/" + std::to_string(process) + "/status");
-  for (std::string line; std::getline(status, line);) {
-    if (!line.starts_with("SigBlk:")) continue;
-    return ((std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1)) & 1) != 0;
-  }
-  return false;
-}
 
 struct Case {
   const char* commandLine;
@@ -107,24 +90,6 @@ class UsageTest : public QObject {
     const Case& wanted = kCases[static_cast<std::size_t>(number)];
     const Outcome& outcome = outcomes_[static_cast<std::size_t>(number)];
     EXPECT_REFUSED(outcome, kUsage, wanted.part);
-  }
-
-  void interruptLeavesNothingBehind() {
-    EXPECT_DONE(run_.run("simulate --patch 768x768 --noise 0.005 -o large"));
-    const auto before = run_.contents();
-    // The exact setting takes long.
-    const auto process = run_.start("fit large -o maps.exr --noise 0,0 --report report.json");
-    QVERIFY(process->waitForStarted());
-    for (int i = 0; i < 3000 && !takesInterrupts(process->processId()); ++i)
-      QThread::msleep(5);
-    QThread::msleep(400);
-    QCOMPARE(process->state(), QProcess::Running);
-    ::kill(static_cast<pid_t>(process->processId()), SIGINT);
-    QVERIFY(process->waitForFinished(20000));
-    QCOMPARE(process->exitStatus(), QProcess::NormalExit);
-    QCOMPARE(process->exitCode(), kInterrupted);
-    QCOMPARE(process->readAllStandardError(), QByteArray("cutis-cli: interrupted\n"));
-    QVERIFY(run_.contents() == before);
   }
 
  private:

@@ -35,13 +35,6 @@ class AtomicWriteTest : public QObject {
     QVERIFY((folder.names() == std::vector<std::string>{"a.txt", "empty.txt"}));
   }
 
-  // A device would be replaced by a file of its name.
-  void devicesAreLeftAlone() {
-    if (!fs::exists("/dev/null")) QSKIP("no devices that are files here");
-    EXPECT_ERROR(writeTextAtomically("/dev/null", "text"), "not a regular file");
-    QVERIFY(fs::is_character_file("/dev/null"));
-  }
-
   // Writers choose their format by the extension.
   void theTemporaryLooksLikeTheFile() {
     const test::ScratchFolder folder;
@@ -127,20 +120,6 @@ class AtomicWriteTest : public QObject {
     QCOMPARE(checkWritable(folder / "gone/a.txt").error().place, (folder / "gone/a.txt").string());
     EXPECT_OK(checkWritable(folder / "sub/a.txt"));
     QVERIFY(!called);
-  }
-
-  void foldersThatMayNotBeWrittenTo() {
-    const test::ScratchFolder folder;
-    folder.write("locked/old.txt", "old");
-    fs::permissions(folder.path(), fs::perms(0755));
-    fs::permissions(folder / "locked", fs::perms(0555));
-    {
-      const test::OrdinaryUser user;
-      EXPECT_ERROR(writeTextAtomically(folder / "locked/old.txt", "new"), "cannot be written to");
-      EXPECT_ERROR(checkWritable(folder / "locked/new.txt"), "cannot be written to");
-    }
-    fs::permissions(folder / "locked", fs::perms(0755));
-    QVERIFY(folder.read("locked/old.txt") == "old");
   }
 
   void namesInTheWorkingDirectory() {

@@ -2,9 +2,6 @@
 
 #include <QtTest>
 
-#include "src/files/io/text_file.h"
-#include "tests/support/expect.h"
-#include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -44,43 +41,7 @@ class CsvTest : public QObject {
   }
 };
 
-class TextFileTest : public QObject {
-  Q_OBJECT
-
- private slots:
-  void readsTheWholeFile() {
-    const test::ScratchFolder folder;
-    std::string text = "line\r\n";
-    text += '\0';
-    for (int i = 0; i < 200000; ++i)
-      text += static_cast<char>('a' + i % 26);
-    const auto read = readTextFile(folder.write("a.txt", text));
-    EXPECT_OK(read);
-    QVERIFY(read.value() == text);
-  }
-
-  void saysWhatIsWrong() {
-    const test::ScratchFolder folder;
-    EXPECT_ERROR(readTextFile(folder / "no.txt"), (folder / "no.txt").string() + ": there is no");
-    EXPECT_ERROR(readTextFile(folder.path()), "this is a folder");
-    EXPECT_ERROR(readTextFile(folder.write("e.txt", "")), "is empty");
-    EXPECT_ERROR(readTextFile(folder.write("big.txt", std::string(3 << 20, 'x')), 2 << 20),
-                 "larger than 2 MiB");
-    EXPECT_OK(readTextFile(folder / "big.txt", 3 << 20));
-  }
-
-  void unreadableFilesSayWhy() {
-    const test::ScratchFolder folder;
-    const auto path = folder.write("secret.txt", "x");
-    std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
-    std::filesystem::permissions(path, std::filesystem::perms::none);
-    const test::OrdinaryUser user;
-    EXPECT_ERROR(readTextFile(path), "permissions");
-  }
-};
-
 CUTIS_TEST(CsvTest)
-CUTIS_TEST(TextFileTest)
 
 }  // namespace
 }  // namespace cutis

@@ -192,6 +192,8 @@ Result<std::string> describeJson(const std::string& path, const Session& session
 }
 
 bool isTable(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;  // a pipe would keep us waiting
   std::string mark(kTableMark.size(), '\0');
   std::ifstream stream(path, std::ios::binary);
   return stream.read(mark.data(), static_cast<std::streamsize>(mark.size())) && mark == kTableMark;

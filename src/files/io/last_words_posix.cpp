@@ -1,0 +1,53 @@
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <system_error>
+#include <unistd.h>
+
+#include "src/files/io/last_words.h"
+#include "src/files/io/temporary_path.h"
+
+namespace cutis {
+namespace {
+
+constexpr int kNoMemoryStatus = 4;
+
+const char* program = "cutis";
+
+bool isLackOfMemory() {
+  const std::exception_ptr thrown = std::current_exception();
+  if (!thrown) return false;
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    return true;
+  } catch (const std::system_error& error) {
+    return error.code() == std::errc::resource_unavailable_try_again ||
+           error.code() == std::errc::not_enough_memory;
+  } catch (...) {
+    return false;
+  }
+}
+
+void onTerminate() {
+  if (!isLackOfMemory()) std::abort();
+  sayLastWords(kNoMemory);
+  removeTemporaries();
+  ::_exit(kNoMemoryStatus);
+}
+
+}  // namespace
+
+void sayLastWords(const char* sentence) {
+  for (const char* part : {program, ": ", sentence, "\n"}) {
+    static_cast<void>(!::write(STDERR_FILENO, part, std::strlen(part)));
+  }
+}
+
+void endWellWithoutMemory(const char* name) {
+  program = name;
+  std::set_terminate(onTerminate);
+}
+
+}  // namespace cutis
