@@ -30,10 +30,10 @@ QString failureOf(const std::function<void(const JobRunner::Handle&)>& work,
     return JobRunner::tr(
         "There was not enough memory for this; close other programs or open a smaller picture");
   } catch (const std::exception& error) {
-    return JobRunner::tr("Something went wrong that should not have (%1); what is open is unharmed")
+    return JobRunner::tr("Internal error (%1). Your document is not affected.")
         .arg(QString::fromUtf8(error.what()).simplified());
   } catch (...) {
-    return JobRunner::tr("Something went wrong that should not have; what is open is unharmed");
+    return JobRunner::tr("Internal error. Your document is not affected.");
   }
 }
 

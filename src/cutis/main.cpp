@@ -31,6 +31,7 @@ constexpr int kNoDisplay = 4;
 constexpr int kNoMemory = 4;
 constexpr int kInterrupted = 130;
 constexpr int kIdleCheckMs = 20;
+constexpr QSize kPictureSize(1440, 900);
 
 struct Arguments {
   QStringList files;
@@ -124,10 +125,15 @@ void closeOnInterrupt() {
 int runEditor(QApplication& application, const Arguments& arguments) {
   cutis::MainWindow window(std::make_unique<cutis::Engine>(cutis::cacheFolder()));
   window.document().setUsualFit(arguments.fit);
-  if (arguments.size) window.resize(*arguments.size);
+  // Pictures are of one size, whatever the screen.
+  if (arguments.size) {
+    window.resize(*arguments.size);
+  } else if (!arguments.screenshot.isEmpty()) {
+    window.resize(kPictureSize);
+  }
   window.show();
   if (arguments.sample) window.opener().openSample();
-  if (!arguments.files.isEmpty()) window.opener().open(arguments.files.first());
+  if (!arguments.files.isEmpty()) window.opener().openAll(arguments.files);
   std::unique_ptr<Automaton> automaton;
   if (!arguments.screenshot.isEmpty()) {
     automaton = std::make_unique<Automaton>(window, arguments);

@@ -54,13 +54,26 @@ class CommandsTest : public test::UiTest {
   void everyCommandIsInOneMenuAndHasAShortcut() {
     QList<QAction*> inMenus;
     for (const QAction* menu : window_->menuBar()->actions())
-      inMenus << menu->menu()->actions();
+      inMenus << actionsOf(*menu->menu());
     for (const CommandDescription& command : window_->commands().all()) {
       const QAction* action = window_->commands().action(command.id);
       QVERIFY2(inMenus.count(action) == 1, qPrintable(command.id));
       QVERIFY2(!command.shortcuts.isEmpty(), qPrintable(command.id));
       QVERIFY2(!command.shortcuts.first().isEmpty(), qPrintable(command.id));
     }
+  }
+
+  // They stand together, each with a letter of its own.
+  void docksHaveASubmenu() {
+    QStringList letters;
+    for (const DockDescription& dock : window_->workspace().all()) {
+      const QString text = window_->commands().action("dock." + dock.id)->text();
+      const auto place = text.indexOf('&');
+      QVERIFY2(place >= 0, qPrintable(text));
+      letters << text.mid(place + 1, 1).toLower();
+      QVERIFY(!window_->workspace().dock(dock.id)->windowTitle().contains('&'));
+    }
+    QCOMPARE(letters.removeDuplicates(), 0);
   }
 
   void everyDockHasItsCommand() {
@@ -182,6 +195,18 @@ class CommandsTest : public test::UiTest {
     restart();
   }
   void tearDown() override { window_.reset(); }
+
+  static QList<QAction*> actionsOf(const QMenu& menu) {
+    QList<QAction*> all;
+    for (QAction* action : menu.actions()) {
+      if (action->menu()) {
+        all << actionsOf(*action->menu());
+      } else {
+        all << action;
+      }
+    }
+    return all;
+  }
 
   void restart() {
     window_.reset();

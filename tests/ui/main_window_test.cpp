@@ -5,14 +5,18 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QDropEvent>
+#include <QMimeData>
 #include <QSettings>
 #include <QtTest>
 
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "ui/commands/command_registry.h"
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/docks/edit_controller.h"
 #include "ui/plot/spectrum_plot.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
@@ -43,7 +47,7 @@ class MainWindowTest : public test::UiTest {
     QVERIFY(statistics.pixels.solved > statistics.pixels.total / 2);
     QVERIFY(statistics.pixels.noConvergence < statistics.pixels.total / 1000);
     QVERIFY(window_->windowTitle().contains("Sample"));
-    // Every layer has been drawn.
+    // Every view has been drawn.
     auto* strip = window_->findChild<ViewStrip*>();
     QCOMPARE(strip->count(), 10);
   }
@@ -61,6 +65,46 @@ class MainWindowTest : public test::UiTest {
     // The background is no skin.
     QVERIFY(!window_->document().spectraAt(2, 2).has_value());
     QVERIFY(!window_->document().spectraAt(-1, 5000).has_value());
+  }
+
+  // The read-out goes on; the spectrum comes when the plot is seen again.
+  void aHiddenSpectrumIsNotComputed() {
+    openSample();
+    auto* plot = window_->findChild<SpectrumPlot*>();
+    Viewport& viewport = window_->viewport();
+    QTest::mouseMove(&viewport, viewport.toWidget({500.5, 500.5}).toPoint());
+    QTRY_VERIFY(plot->heading().contains("500"));
+    window_->commands().run("dock.spectrum");
+    QTRY_VERIFY(!plot->isVisible());
+    QTest::qWait(50);
+    Q_EMIT viewport.cursorMoved(400, 420);
+    QVERIFY(plot->heading().contains("500"));
+    window_->commands().run("dock.spectrum");
+    QTRY_VERIFY(plot->heading().contains("420"));
+  }
+
+  // The skin changes colour; its thumbnail follows when it is seen again.
+  void hiddenThumbnailsAreNotComputed() {
+    openSample();
+    auto* strip = window_->findChild<ViewStrip*>();
+    const auto thumbnails = [&] {
+      std::vector<QImage> images;
+      for (int row = 0; row < strip->count(); ++row)
+        images.push_back(strip->item(row)->data(Qt::UserRole + 1).value<QImage>());
+      return images;
+    };
+    const auto before = thumbnails();
+    window_->commands().run("dock.views");
+    QTRY_VERIFY(!strip->isVisible());
+    QTest::qWait(50);
+    window_->edits().setFactor(kMelanin, 2.5, false);
+    waitUntilIdle();
+    QVERIFY(thumbnails() == before);
+    window_->commands().run("dock.views");
+    QTRY_VERIFY(strip->isVisible());
+    QTest::qWait(50);
+    waitUntilIdle();
+    QVERIFY(thumbnails() != before);
   }
 
   void aDraggedSliderChangesThePictureInOneStep() {
@@ -153,6 +197,30 @@ class MainWindowTest : public test::UiTest {
     QVERIFY(window_->progress().message().contains("noise.png"));
   }
 
+  void oneThingDroppedIsOpened() {
+    folder_.write("noise.png", "this is no picture");
+    QVERIFY(drop({QUrl::fromLocalFile(file("noise.png"))}));
+    waitUntilIdle();
+    QVERIFY(window_->progress().message().contains("noise.png"));
+  }
+
+  // Neither the first alone nor all in silence.
+  void severalDroppedAtOnceAreRefused() {
+    openSample();
+    const QString name = window_->document().name();
+    QVERIFY(drop({QUrl::fromLocalFile(file("a.png")), QUrl::fromLocalFile(file("b.png"))}));
+    waitUntilIdle();
+    QVERIFY(window_->progress().message().contains("capture.json"));
+    QCOMPARE(window_->document().name(), name);
+  }
+
+  void nothingIsFetchedFromTheNetwork() {
+    QVERIFY(drop({QUrl("https://example.org/face.exr")}));
+    QVERIFY(window_->isIdle());
+    QVERIFY(window_->progress().message().contains("save it here first"));
+    QVERIFY(!window_->document().isOpen());
+  }
+
   void anExportThatCannotBeWrittenIsTold() {
     openSample();
     window_->exports().exportAlbedo(file("no/such/folder/a.png"));
@@ -198,6 +266,16 @@ class MainWindowTest : public test::UiTest {
 
   QString file(const std::string& name) const {
     return QString::fromStdString((folder_ / name).string());
+  }
+  bool drop(const QList<QUrl>& urls) {
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &enter);
+    if (!enter.isAccepted()) return false;
+    QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window_.get(), &event);
+    return event.isAccepted();
   }
   void waitUntilIdle() {
     QTest::qWait(10);

@@ -69,6 +69,44 @@ class ProgressStripTest : public test::UiTest {
     QVERIFY(!button(strip, "Dismiss message")->isVisible());
   }
 
+  // An artist exports, makes a mistake, dismisses it: the export is old news.
+  void whatWasReadDoesNotReturn() {
+    ProgressStrip strip;
+    strip.show();
+    for (const bool firstIsError : {false, true}) {
+      strip.showMessage("First", firstIsError);
+      QTest::qWait(1100);
+      strip.showMessage("Second", true);
+      QCOMPARE(strip.message(), QString("Second"));
+      QTest::mouseClick(button(strip, "Dismiss message"), Qt::LeftButton);
+      QCOMPARE(strip.message(), QString());
+    }
+  }
+
+  void anErrorThatWasReadStillStandsBeforeNotices() {
+    ProgressStrip strip;
+    strip.show();
+    strip.showMessage("Error", true);
+    QTest::qWait(1100);
+    strip.showMessage("Notice", false);
+    QCOMPARE(strip.message(), QString("Error"));
+    QTest::mouseClick(button(strip, "Dismiss message"), Qt::LeftButton);
+    QCOMPARE(strip.message(), QString("Notice"));
+  }
+
+  void ofOneTopicTheNewestIsKept() {
+    ProgressStrip strip;
+    strip.show();
+    strip.showMessage("Fit: cancelled", false, "Fit");
+    strip.showMessage("Written: a.png", false, "Export");
+    strip.showMessage("Fit: done", false, "Fit");
+    QCOMPARE(strip.message(), QString("Fit: done"));
+    QTest::mouseClick(button(strip, "Dismiss message"), Qt::LeftButton);
+    QCOMPARE(strip.message(), QString("Written: a.png"));
+    strip.withdraw("Export");
+    QCOMPARE(strip.message(), QString());
+  }
+
   void timesAreInWords() {
     QCOMPARE(timeLeftText(0.3), QString("less than 1 s left"));
     QCOMPARE(timeLeftText(2.2), QString("3 s left"));

@@ -1,7 +1,6 @@
 #include "ui/window/start_page.h"
 
-#include <QDropEvent>
-#include <QMimeData>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
@@ -12,17 +11,6 @@
 
 namespace cutis {
 namespace {
-
-bool drop(QWidget& widget, const QList<QUrl>& urls) {
-  QMimeData data;
-  data.setUrls(urls);
-  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&widget, &enter);
-  if (!enter.isAccepted()) return false;
-  QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(&widget, &event);
-  return event.isAccepted();
-}
 
 class StartPageTest : public test::UiTest {
   Q_OBJECT
@@ -41,26 +29,21 @@ class StartPageTest : public test::UiTest {
     QCOMPARE(sample.count(), capture.count());
   }
 
-  void oneThingDroppedIsAFile() {
+  // Where the eyes are.
+  void messagesStandBelowTheDropArea() {
     StartPage page;
-    QSignalSpy file(&page, &StartPage::fileWanted);
-    QVERIFY(drop(page, {QUrl::fromLocalFile("/data/face patch.exr")}));
-    QCOMPARE(file.count(), 1);
-    QCOMPARE(file[0][0].toString(), QString("/data/face patch.exr"));
-  }
-
-  void severalAreOneSet() {
-    StartPage page;
-    QSignalSpy file(&page, &StartPage::fileWanted);
-    QSignalSpy files(&page, &StartPage::filesWanted);
-    QVERIFY(drop(page, {QUrl::fromLocalFile("/a.exr"), QUrl::fromLocalFile("/b.exr")}));
-    QCOMPARE(file.count(), 0);
-    QCOMPARE(files[0][0].toStringList(), QStringList({"/a.exr", "/b.exr"}));
-  }
-
-  void nothingIsFetchedFromTheNetwork() {
-    StartPage page;
-    QVERIFY(!drop(page, {QUrl("https://example.org/face.exr")}));
+    page.resize(900, 700);
+    page.show();
+    QLabel* message = nullptr;
+    for (QLabel* label : page.findChildren<QLabel*>()) {
+      if (label->accessibleName() == "Message") message = label;
+    }
+    QVERIFY(message != nullptr && !message->isVisible());
+    page.showMessage("a.png: the file ends early", true);
+    QVERIFY(message->isVisible());
+    QCOMPARE(message->text(), QString("a.png: the file ends early"));
+    page.showMessage({}, false);
+    QVERIFY(!message->isVisible());
   }
 
   void recentFilesOpenByClickAndKey() {

@@ -10,23 +10,23 @@
 namespace cutis {
 namespace {
 
-const QVector<LayerEntry> kLayers = {{"photo", "Photograph", "As taken"},
-                                     {"melanin", "Melanin", "Volume fraction"},
-                                     {"uva", "UVA", "Extrapolated"}};
+const QVector<ViewEntry> kViews = {{"photo", "Photograph", "As taken"},
+                                   {"melanin", "Melanin", "Volume fraction"},
+                                   {"uva", "UVA", "Extrapolated"}};
 
-class LayerStripTest : public test::UiTest {
+class ViewStripTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void layersComeSilently() {
+  void viewsComeSilently() {
     ViewStrip strip;
     const QAbstractItemModelTester tester(strip.model());
     QSignalSpy chosen(&strip, &ViewStrip::chosen);
-    strip.setLayers(kLayers);
+    strip.setViews(kViews);
     QCOMPARE(strip.current(), QString("photo"));
     strip.setCurrent("uva");
     QCOMPARE(strip.current(), QString("uva"));
-    strip.setLayers(kLayers);
+    strip.setViews(kViews);
     QCOMPARE(strip.current(), QString("uva"));
     QCOMPARE(chosen.count(), 0);
     QCOMPARE(strip.width(), 152);
@@ -34,7 +34,7 @@ class LayerStripTest : public test::UiTest {
 
   void clicksAndKeysChoose() {
     ViewStrip strip;
-    strip.setLayers(kLayers);
+    strip.setViews(kViews);
     strip.resize(132, 500);
     strip.show();
     QVERIFY(QTest::qWaitForWindowExposed(&strip));
@@ -49,7 +49,7 @@ class LayerStripTest : public test::UiTest {
 
   void aThumbnailTakesThePlaceOfThePlate() {
     ViewStrip strip;
-    strip.setLayers(kLayers);
+    strip.setViews(kViews);
     strip.resize(132, 500);
     strip.show();
     QVERIFY(QTest::qWaitForWindowExposed(&strip));
@@ -59,12 +59,12 @@ class LayerStripTest : public test::UiTest {
     strip.setThumbnail("melanin", image);
     strip.setThumbnail("unknown", image);
     QCOMPARE(strip.viewport()->grab().toImage().pixel(middle), qRgb(10, 200, 30));
-    strip.setLayers(kLayers);
+    strip.setViews(kViews);
     QCOMPARE(strip.viewport()->grab().toImage().pixel(middle), qRgb(10, 200, 30));
   }
 };
 
-CUTIS_TEST(LayerStripTest)
+CUTIS_TEST(ViewStripTest)
 
 }  // namespace
 }  // namespace cutis

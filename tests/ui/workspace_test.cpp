@@ -1,10 +1,12 @@
 #include "ui/docks/workspace.h"
 
+#include <functional>
 #include <memory>
 
 #include <QDockWidget>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QStackedWidget>
 
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
@@ -14,8 +16,13 @@ namespace {
 
 class Panel : public QWidget {
  public:
+  int painted = 0;
+
   QSize sizeHint() const override { return {200, 150}; }
   QSize minimumSizeHint() const override { return {100, 40}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override { ++painted; }
 };
 
 DockDescription row(const QString& id, Qt::DockWidgetArea area) {
@@ -81,6 +88,79 @@ class WorkspaceTest : public test::UiTest {
     QCOMPARE(areaOf(*workspace, "foot"), Qt::LeftDockWidgetArea);
   }
 
+  // As in the window, where the start page stood before: the stack holds back updates meanwhile.
+  void aDockThatFloatsIsPaintedAfterARestart() {
+    QByteArray kept;
+    {
+      const auto workspace = shown(900);
+      workspace->dock("one")->setFloating(true);
+      kept = workspace->saveLayout();
+    }
+    QStackedWidget pages;
+    pages.addWidget(new QWidget);
+    auto* workspace = made().release();
+    pages.addWidget(workspace);
+    workspace->restoreLayout(kept);
+    pages.resize(1000, 900);
+    pages.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&pages));
+    pages.setCurrentWidget(workspace);
+    auto* panel = static_cast<Panel*>(workspace->dock("one")->widget());
+    QTRY_VERIFY(workspace->dock("one")->isFloating() && panel->isVisible());
+    QVERIFY(panel->updatesEnabled());
+    QTRY_VERIFY(panel->painted > 0);
+    // And on every way it can go from there.
+    for (const auto& step : std::vector<std::function<void()>>{[=] { workspace->toggle("one"); },
+                                                               [=] { workspace->toggle("one"); },
+                                                               [=] { workspace->resetLayout(); }}) {
+      step();
+      QTest::qWait(50);
+    }
+    panel->painted = 0;
+    panel->update();
+    QTRY_VERIFY(panel->painted > 0);
+  }
+
+  // Panels are as high as they want; what is left is below the last.
+  void aColumnSettlesAfterEveryChange() {
+    const auto workspace = shown(900);
+    const int wanted = workspace->dock("one")->sizeHint().height();
+    const auto isSettled = [&](const QStringList& docks) {
+      for (const QString& id : docks) {
+        const int height = workspace->dock(id)->height();
+        if (id == docks.last() ? height < wanted : height != wanted) return false;
+      }
+      return workspace->dock(docks.last())->geometry().bottom() + 1 == workspace->height();
+    };
+    QTRY_VERIFY(isSettled({"one", "two", "three"}));
+    workspace->toggle("three");
+    QTRY_VERIFY(isSettled({"one", "two"}));
+    workspace->toggle("three");
+    QTRY_VERIFY(isSettled({"one", "two", "three"}));
+    workspace->dock("two")->setFloating(true);
+    QTRY_VERIFY(isSettled({"one", "three"}));
+    workspace->dock("two")->setFloating(false);
+    QTRY_VERIFY(isSettled({"one", "two", "three"}));
+    workspace->resize(1000, 700);
+    QTRY_VERIFY(isSettled({"one", "two", "three"}));
+    workspace->toggle("one");
+    QTRY_VERIFY(isSettled({"two", "three"}));
+  }
+
+  void aLayoutOfALargerWindowSettles() {
+    QByteArray kept;
+    {
+      const auto workspace = shown(1300);
+      QTRY_VERIFY(workspace->dock("three")->height() > 800);
+      kept = workspace->saveLayout();
+    }
+    const auto workspace = shown(700, kept);
+    const int wanted = workspace->dock("one")->sizeHint().height();
+    for (const char* id : {"one", "two"})
+      QTRY_COMPARE(workspace->dock(id)->height(), wanted);
+    QVERIFY(workspace->dock("three")->height() >= wanted);
+  }
+
   void resettingPutsEveryDockBack() {
     const auto workspace = shown(900);
     workspace->dock("one")->setFloating(true);
@@ -131,7 +211,7 @@ class WorkspaceTest : public test::UiTest {
     QVERIFY(newer->restoreLayout(kept));
     newer->resize(1000, 1200);
     newer->show();
-    QVERIFY(newer->isInFront("new"));
+    QTRY_VERIFY(newer->isInFront("new"));
     QCOMPARE(areaOf(*newer, "new"), Qt::RightDockWidgetArea);
   }
 
@@ -166,6 +246,8 @@ class WorkspaceTest : public test::UiTest {
     workspace->resize(1000, height);
     workspace->show();
     static_cast<void>(QTest::qWaitForWindowExposed(workspace.get()));
+    // The first layout follows the first showing.
+    QTest::qWait(50);
     return workspace;
   }
 

@@ -19,6 +19,7 @@ enum class Menu { file, edit, view, fit, help };
 struct CommandDescription {
   QString id;  // "edit.undo": in scripts and settings, never shown
   Menu menu = Menu::file;
+  QString submenu = {};  // of the menu, by its title with its mnemonic; empty: the menu itself
   QString text;          // as in the menu, with its mnemonic: "&Undo"
   QString toolTip = {};  // what the text leaves open; may be empty
   QList<QKeySequence> shortcuts = {};

@@ -23,6 +23,17 @@ QString titleOf(Menu menu) {
   return {};
 }
 
+// Made where its first row stands.
+QMenu& submenuOf(QMenu& menu, const QString& title) {
+  if (title.isEmpty()) return menu;
+  for (const QAction* action : menu.actions()) {
+    if (action->menu() && action->menu()->title() == title) return *action->menu();
+  }
+  QMenu* submenu = menu.addMenu(title);
+  submenu->setToolTipsVisible(true);
+  return *submenu;
+}
+
 QString objectionTo(const CommandDescription& command) {
   return command.objection ? command.objection() : QString();
 }
@@ -78,7 +89,7 @@ void CommandRegistry::fill(QMenuBar& bar) const {
     for (const CommandDescription& command : commands_) {
       if (command.menu != which) continue;
       if (command.beginsSection) menu->addSeparator();
-      menu->addAction(action(command.id));
+      submenuOf(*menu, command.submenu).addAction(action(command.id));
     }
   }
 }

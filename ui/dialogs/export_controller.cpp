@@ -1,10 +1,10 @@
 #include "ui/dialogs/export_controller.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "src/app/document/document.h"
 #include "src/app/export/export.h"
+#include "ui/dialogs/file_to_write.h"
 #include "ui/dialogs/format_filters.h"
 #include "ui/widgets/progress_strip.h"
 
@@ -37,25 +37,25 @@ void ExportController::exportAlbedo(const QString& path) {
   ExportTarget target = {std::filesystem::path(path.toStdString())};
   for (const std::filesystem::path& file : document_.sourceFiles())
     target.sources.push_back(file.string());
-  jobs_.start(tr("Export %1").arg(QFileInfo(path).fileName()),
-              [this, path, target,
-               albedo = EditedAlbedo{scene, scene.source}](const JobRunner::Handle& job) {
-                const auto store = std::make_shared<TileStore>(kMemoryForExport);
-                const ExportOutcome outcome =
-                    exportWithNotes(target, albedo, engine_, store, job.context);
-                if (outcome.status.cancelled()) return;
-                const bool failed = outcome.status.failed();
-                QString sentence = failed ? QString::fromStdString(outcome.status.error().text())
-                                          : tr("Written: %1").arg(path);
-                for (const std::string& note : outcome.notes)
-                  sentence += "; " + QString::fromStdString(note);
-                job.post([this, sentence, failed] { progress_.showMessage(sentence, failed); });
-              });
+  const QString name = tr("Export %1").arg(QFileInfo(path).fileName());
+  jobs_.start(name, [this, path, name, target,
+                     albedo = EditedAlbedo{scene, scene.source}](const JobRunner::Handle& job) {
+    const auto store = std::make_shared<TileStore>(kMemoryForExport);
+    const ExportOutcome outcome = exportWithNotes(target, albedo, engine_, store, job.context);
+    if (outcome.status.cancelled()) return;
+    const bool failed = outcome.status.failed();
+    QString sentence = failed ? QString::fromStdString(outcome.status.error().text())
+                              : tr("Written: %1").arg(path);
+    for (const std::string& note : outcome.notes)
+      sentence += "; " + QString::fromStdString(note);
+    job.post([this, sentence, failed, name] { progress_.showMessage(sentence, failed, name); });
+  });
 }
 
 void ExportController::choose() {
-  const QString file = QFileDialog::getSaveFileName(window_, tr("Export edited albedo"),
-                                                    "edited_albedo.exr", writableImageFilters());
+  const QString file =
+      chooseFileToWrite(window_, tr("Export edited albedo"),
+                        besideSource(document_, "edited_albedo.exr"), writableImageFilters());
   if (!file.isEmpty()) exportAlbedo(file);
 }
 

@@ -36,6 +36,18 @@ void OpenController::open(const QString& path) {
   document_.open(std::filesystem::path(path.toStdString()));
 }
 
+void OpenController::openAll(const QStringList& paths) {
+  if (paths.size() == 1) return open(paths.first());
+  progress_.clearMessages();
+  progress_.showMessage(
+      paths.isEmpty()
+          ? tr("Only files and folders of this computer can be opened; save it here first")
+          : tr("%1 files at once cannot be opened, so nothing was; open one image, or for "
+               "photographs of one capture the folder that holds them and their capture.json")
+                .arg(paths.size()),
+      true);
+}
+
 void OpenController::chooseCapture() {
   const QString file = QFileDialog::getOpenFileName(window_, tr("Open capture"), {},
                                                     tr("Captures (capture.json);;All files (*)"));

@@ -26,6 +26,8 @@ class OpenController : public QObject {
   // A capture's folder, capture.json, an image or maps. What cannot be opened is reported and
   // changes nothing.
   void open(const QString& path);
+  // What was dropped or named at once: one is opened; of several none, and the user is told why.
+  void openAll(const QStringList& paths);
   // By a dialog.
   void chooseCapture();
   void chooseImage();

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include <QDir>
-#include <QFileDialog>
 
 #include "src/app/training/network_errors.h"
 #include "src/app/training/network_training.h"
+#include "ui/dialogs/file_to_write.h"
 #include "ui/dialogs/training_dialog.h"
 
 namespace cutis {
@@ -26,8 +26,8 @@ TrainingController::TrainingController(Document& document, Engine& engine, JobRu
       dialog_(new TrainingDialog(window)),
       plan_(usualTraining) {
   connect(&jobs, &JobRunner::progressed, this,
-          [this](JobId id, const QString&, double fraction, double secondsLeft) {
-            if (id == job_) dialog_->showProgress(fraction, secondsLeft);
+          [this](JobId id, const QString& stage, double fraction, double secondsLeft) {
+            if (id == job_) dialog_->showProgress(stage, fraction, secondsLeft);
           });
   // Cancelled in the window itself: a training that has ended is no longer under way here.
   connect(&jobs, &JobRunner::finished, this, [this](JobId id) {
@@ -115,8 +115,8 @@ void TrainingController::save(const QString& path) {
 }
 
 void TrainingController::chooseFile() {
-  const QString path = QFileDialog::getSaveFileName(dialog_, tr("Save weights"), "weights.json",
-                                                    tr("Weights (*.json)"));
+  const QString path = chooseFileToWrite(
+      dialog_, tr("Save weights"), besideSource(document_, "weights.json"), tr("Weights (*.json)"));
   if (!path.isEmpty()) save(path);
 }
 

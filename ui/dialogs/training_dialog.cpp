@@ -93,20 +93,16 @@ void TrainingDialog::begin(const QString& rig, const QString& profile,
       {networkName(NetworkKind::chromophores), training.chromophores.trainer.epochs, {}, {}}};
   plot_->setCurves(curves_);
   bar_->setValue(0);
-  setStatus(tr("Looking at all skin of the profile"), false);
+  setStatus(tr("The training begins"), false);
   showButtons(true, false);
   cancel_->setFocus();
 }
 
-void TrainingDialog::showProgress(double fraction, double secondsLeft) {
+void TrainingDialog::showProgress(const QString& stage, double fraction, double secondsLeft) {
   if (!training_) return;
   bar_->setValue(static_cast<int>(std::lround(kProgressSteps * fraction)));
-  QString text = tr("Looking at all skin of the profile");
-  for (const LossCurve& curve : curves_) {
-    if (!curve.heldOut.isEmpty()) {
-      text = tr("%1, epoch %2 of %3").arg(curve.name).arg(curve.heldOut.size()).arg(curve.epochs);
-    }
-  }
+  if (stage.isEmpty()) return;
+  const QString text = stage.left(1).toUpper() + stage.mid(1);
   status_->setText(secondsLeft < 0 ? text : tr("%1, %2").arg(text, timeLeftText(secondsLeft)));
 }
 

@@ -25,7 +25,8 @@ class TrainingDialog : public QDialog {
 
   // A training begins: what for, and how many epochs it has.
   void begin(const QString& rig, const QString& profile, const NetworkTraining& training);
-  void showProgress(double fraction, double secondsLeft);  // negative: unknown
+  // The stage in the words of the job. Negative seconds are unknown.
+  void showProgress(const QString& stage, double fraction, double secondsLeft);
   void addEpoch(const NetworkEpoch& epoch);
   void showResult(const NetworkErrors& errors, double seconds);
   // One sentence each.

@@ -12,8 +12,8 @@ class QWidget;
 namespace cutis {
 
 struct DockDescription {
-  QString id;  // "spectrum": in saved layouts, never shown
-  QString title;
+  QString id;     // "spectrum": in saved layouts, never shown
+  QString title;  // with the mnemonic of its command: "&Spectrum"
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;  // docks of one area stand in a column
   QKeySequence shortcut = {};
   bool shownAtFirst = true;
@@ -22,6 +22,9 @@ struct DockDescription {
   int extent = 300;
   // Makes the panel; called once, when the window is made. The dock becomes its owner.
   std::function<QWidget*()> makePanel;
+  // Told whenever the panel comes into sight or goes out of it, hidden or behind another dock, so
+  // that what nobody sees need not be computed. At first it is out of sight.
+  std::function<void(QWidget& panel, bool seen)> seen = {};
 };
 
 }  // namespace cutis

@@ -7,21 +7,18 @@
 
 #include "ui/docks/edit_panel.h"
 #include "ui/view/view_controller.h"
+#include "ui/widgets/parameter_texts.h"
 
 namespace cutis {
 namespace {
 
-constexpr std::array kNames = {QT_TRANSLATE_NOOP("EditController", "Melanin"),
-                               QT_TRANSLATE_NOOP("EditController", "Melanin blend"),
-                               QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
-                               QT_TRANSLATE_NOOP("EditController", "Haemoglobin"),
-                               QT_TRANSLATE_NOOP("EditController", "Carotene")};
-static_assert(kNames.size() == kParameterCount, "a sixth has its name here");
+bool isHaemoglobin(int parameter) {
+  return parameter == kHaemoglobinDermal || parameter == kHaemoglobinEpidermal;
+}
 
 // Linked haemoglobins move together and are undone together.
 QString mergeGroupOf(int parameter) {
-  const bool haemoglobin = parameter == kHaemoglobinDermal || parameter == kHaemoglobinEpidermal;
-  return haemoglobin ? "factor haemoglobin" : QString("factor %1").arg(parameter);
+  return isHaemoglobin(parameter) ? "factor haemoglobin" : QString("factor %1").arg(parameter);
 }
 
 }  // namespace
@@ -44,7 +41,8 @@ void EditController::attach(EditPanel& panel) {
 
 void EditController::setFactor(int parameter, double factor, bool stillMoving) {
   if (!document_.isOpen()) return;
-  const QString name = tr(kNames[static_cast<std::size_t>(parameter)]);
+  const QString name = isHaemoglobin(parameter) ? haemoglobinTitle()
+                                                : parameterTitle(static_cast<Parameter>(parameter));
   document_.apply({tr("%1 × %2").arg(name).arg(factor, 0, 'g', 3), mergeGroupOf(parameter),
                    [parameter, factor](DocumentState& state) {
                      if (state.edits.empty()) state.edits.emplace_back();

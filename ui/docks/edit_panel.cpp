@@ -9,6 +9,7 @@
 
 #include "ui/theme/theme.h"
 #include "ui/widgets/parameter_slider.h"
+#include "ui/widgets/parameter_texts.h"
 
 namespace cutis {
 namespace {
@@ -32,19 +33,19 @@ EditPanel::EditPanel(QWidget* parent)
   column->setSpacing(theme::kHalfSpace);
 
   static_assert(kParameterCount == 5, "a sixth has its slider here");
-  addSlider(kMelanin, tr("Melanin"),
+  addSlider(kMelanin,
             tr("Pigment of the upper skin. More tans and darkens, and strengthens freckles and "
                "moles; less makes the skin paler."));
-  addSlider(kMelaninBlend, tr("Melanin blend"),
+  addSlider(kMelaninBlend,
             tr("Which melanin it is. More is brown-black eumelanin; less is reddish-yellow "
                "pheomelanin, as in fair and freckled skin."));
-  addSlider(kCarotene, tr("Carotene"),
+  addSlider(kCarotene,
             tr("Yellow pigment from food. More gives the skin a warm, golden cast; much more "
                "looks like carotenaemia."));
-  addSlider(kHaemoglobinDermal, tr("Haemoglobin dermal"),
+  addSlider(kHaemoglobinDermal,
             tr("Blood in the deeper skin. More flushes cheeks, nose and lips; less drains the "
                "colour from the face."));
-  addSlider(kHaemoglobinEpidermal, tr("Haemoglobin epidermal"),
+  addSlider(kHaemoglobinEpidermal,
             tr("Blood close to the surface. More reddens blemishes and irritated skin; less "
                "calms them."));
   auto* foot = new QHBoxLayout;
@@ -57,8 +58,8 @@ EditPanel::EditPanel(QWidget* parent)
   connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
 }
 
-void EditPanel::addSlider(Parameter parameter, const QString& name, const QString& toolTip) {
-  auto* slider = new ParameterSlider(name, toolTip, {}, this);
+void EditPanel::addSlider(Parameter parameter, const QString& toolTip) {
+  auto* slider = new ParameterSlider(parameterTitle(parameter), toolTip, {}, this);
   sliders_[parameter] = slider;
   layout()->addWidget(slider);
   connect(slider, &ParameterSlider::valueChanged, this,

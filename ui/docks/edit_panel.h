@@ -34,7 +34,7 @@ class EditPanel : public QWidget {
   void resetWanted();
 
  private:
-  void addSlider(Parameter parameter, const QString& name, const QString& toolTip);
+  void addSlider(Parameter parameter, const QString& toolTip);
   void sliderMoved(Parameter parameter, double factor, bool stillMoving);
   void linkToggled(bool linked);
   void updateReset();

@@ -52,6 +52,14 @@ QVector<LightGroup> lightGroups() {
   return groups;
 }
 
+QString titleOf(const QString& name) {
+  if (name == "cie1931") return tr("CIE 1931, 2°");
+  if (name == "cie1964") return tr("CIE 1964, 10°");
+  // The CIE writes a hyphen; elsewhere the names of files stand for blanks, after who measured.
+  if (name.startsWith("LED_")) return QString(name).replace('_', '-');
+  return QString(name).remove("iset_").replace('_', ' ');
+}
+
 QStringList observerChoices() {
   return toList(observerNames()) + toList(cameraNames());
 }

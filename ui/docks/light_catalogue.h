@@ -14,4 +14,7 @@ namespace cutis {
 QVector<LightGroup> lightGroups();
 QStringList observerChoices();
 
+// What a reader calls a light, an observer or a camera: "CIE 1931, 2°" for "cie1931".
+QString titleOf(const QString& name);
+
 }  // namespace cutis

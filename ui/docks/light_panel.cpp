@@ -9,6 +9,7 @@
 #include <QStandardItemModel>
 #include <QToolButton>
 
+#include "ui/docks/light_catalogue.h"
 #include "ui/theme/theme.h"
 
 namespace cutis {
@@ -28,7 +29,7 @@ void addGroup(QStandardItemModel& model, const LightGroup& group, const QFont& f
   title->setFlags(Qt::NoItemFlags);
   model.appendRow(title);
   for (const QString& name : group.names) {
-    auto* item = new QStandardItem(name);
+    auto* item = new QStandardItem(titleOf(name));
     item->setData(name, Qt::UserRole);
     model.appendRow(item);
   }
@@ -72,7 +73,7 @@ LightPanel::LightPanel(QWidget* parent)
     kinds_->addButton(button, static_cast<int>(kind));
     segments->addWidget(button);
   };
-  add(Kind::colour, tr("Light"), tr("Colour under a light"));
+  add(Kind::colour, tr("Colour"), tr("Colour under a light"));
   add(Kind::ultraviolet, tr("UV"), tr("Ultraviolet, 300–400 nm"));
   add(Kind::nearInfrared, tr("NIR"), tr("Near infrared, 700–1000 nm"));
 
@@ -127,7 +128,7 @@ void LightPanel::setObservers(const QStringList& names) {
   const QString kept = observers_->currentData().toString();
   observers_->clear();
   for (const QString& name : names)
-    observers_->addItem(name, name);
+    observers_->addItem(titleOf(name), name);
   choose(*observers_, kept);
 }
 

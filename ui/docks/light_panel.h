@@ -21,8 +21,8 @@ class LightPanel : public QWidget {
  public:
   explicit LightPanel(QWidget* parent = nullptr);
 
-  // Names as shown and as given back. Keep the choice where it is still offered, else take the
-  // first. Silent.
+  // Names as given back; shown are their titles (ui/docks/light_catalogue.h). Keep the choice where
+  // it is still offered, else take the first. Silent.
   void setLights(const QVector<LightGroup>& groups);
   void setObservers(const QStringList& names);
 

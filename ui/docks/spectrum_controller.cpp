@@ -52,20 +52,28 @@ void SpectrumController::forget() {
   progress_.setReadout({});
 }
 
+void SpectrumController::setSeen(bool seen) {
+  if (seen == seen_) return;
+  seen_ = seen;
+  if (seen && pixel_) plotSpectra(pixel_->x(), pixel_->y());
+}
+
 void SpectrumController::refresh() {
   if (!pixel_) return;
   const int x = pixel_->x(), y = pixel_->y();
+  const auto parameters = document_.editedParametersAt(x, y);
+  progress_.setReadout(parameters ? readoutOf(x, y, *parameters)
+                                  : tr("x %1  y %2   no skin here").arg(x).arg(y));
+  if (seen_) plotSpectra(x, y);
+}
+
+void SpectrumController::plotSpectra(int x, int y) {
   const auto spectra = document_.spectraAt(x, y);
-  if (!spectra) {
-    plot_.clear();
-    progress_.setReadout(tr("x %1  y %2   no skin here").arg(x).arg(y));
-    return;
-  }
+  if (!spectra) return plot_.clear();
   const bool edited = (spectra->originalParameters != spectra->editedParameters).any();
   plot_.setCurves(toVector(spectra->original),
                   edited ? toVector(spectra->edited) : QVector<double>());
   plot_.setHeading(tr("Pixel %1, %2").arg(x).arg(y));
-  progress_.setReadout(readoutOf(x, y, spectra->editedParameters));
 }
 
 }  // namespace cutis

@@ -24,15 +24,20 @@ class SpectrumController : public QObject {
   SpectrumController(Document& document, Viewport& viewport, SpectrumPlot& plot,
                      ProgressStrip& progress, QObject* parent = nullptr);
 
+  // Whether anybody sees the plot. While nobody does no spectrum is computed. At first nobody does.
+  void setSeen(bool seen);
+
  private:
   void pointAt(int x, int y);
   void leave();
   void refresh();
+  void plotSpectra(int x, int y);
   void forget();
 
   Document& document_;
   SpectrumPlot& plot_;
   ProgressStrip& progress_;
+  bool seen_ = false;
   std::optional<QPoint> pixel_;  // of the spectrum that is shown
 };
 

@@ -8,9 +8,12 @@
 #include <QDockWidget>
 #include <QGuiApplication>
 #include <QIODevice>
+#include <QLayout>
 #include <QScreen>
 #include <QStringList>
 #include <QStyle>
+
+#include "ui/docks/dock_column.h"
 
 namespace cutis {
 namespace {
@@ -22,8 +25,16 @@ constexpr Qt::DockWidgetArea kAreas[] = {Qt::LeftDockWidgetArea, Qt::RightDockWi
 constexpr int kLayoutVersion = 1;
 constexpr char kLayoutMark[] = "cutis layout";
 
+// How long to wait for the user to let go of a dock.
+constexpr int kStillDraggedMs = 50;
+
 bool standsAtSide(Qt::DockWidgetArea area) {
   return area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+}
+
+// Whether more height shows more.
+bool grows(const QDockWidget& dock) {
+  return (dock.widget()->sizePolicy().expandingDirections() & Qt::Vertical) != 0;
 }
 
 struct KeptLayout {
@@ -65,6 +76,9 @@ Workspace::Workspace(QWidget* middle, QWidget* parent) : QMainWindow(parent) {
     setCorner(corner, Qt::LeftDockWidgetArea);
   for (const Qt::Corner corner : {Qt::TopRightCorner, Qt::BottomRightCorner})
     setCorner(corner, Qt::RightDockWidgetArea);
+  settling_.setSingleShot(true);
+  connect(&settling_, &QTimer::timeout, this, &Workspace::settle);
+  connect(this, &Workspace::docksChanged, this, &Workspace::tellWhatIsSeen);
 }
 
 void Workspace::add(const std::vector<DockDescription>& docks) {
@@ -76,7 +90,7 @@ void Workspace::add(const std::vector<DockDescription>& docks) {
 }
 
 void Workspace::addDock(const DockDescription& description) {
-  auto* dock = new QDockWidget(description.title, this);
+  auto* dock = new QDockWidget(QString(description.title).remove('&'), this);
   dock->setObjectName(description.id);
   dock->setWidget(description.makePanel());
   byId_[description.id] = dock;
@@ -87,6 +101,18 @@ void Workspace::addDock(const DockDescription& description) {
           Qt::QueuedConnection);
   connect(dock, &QDockWidget::topLevelChanged, this, &Workspace::docksChanged,
           Qt::QueuedConnection);
+  const auto settleSoon = [this] { settling_.start(0); };
+  connect(dock, &QDockWidget::visibilityChanged, this, settleSoon);
+  connect(dock, &QDockWidget::topLevelChanged, this, settleSoon);
+  connect(dock, &QDockWidget::dockLocationChanged, this, settleSoon);
+  // In the column it may have had the rest of the height.
+  connect(
+      dock, &QDockWidget::topLevelChanged, dock,
+      [dock](bool floating) {
+        if (floating && dock->isFloating() && !grows(*dock))
+          dock->resize(dock->width(), std::min(dock->height(), dock->sizeHint().height()));
+      },
+      Qt::QueuedConnection);
 }
 
 QDockWidget* Workspace::dock(const QString& id) const {
@@ -129,6 +155,7 @@ void Workspace::resetLayout() {
   for (const Qt::DockWidgetArea area : kAreas)
     arrange(area);
   arranged_ = true;
+  settling_.start(0);
   Q_EMIT docksChanged();
 }
 
@@ -149,7 +176,7 @@ int Workspace::heightWanted(const std::vector<QDockWidget*>& column) const {
   return height;
 }
 
-// Docks at the side are as high as their panels; the last one has the rest.
+// Where the height does not suffice, docks stand behind each other.
 void Workspace::arrange(Qt::DockWidgetArea area) {
   const std::vector<QDockWidget*> column = columnOf(area);
   if (column.empty()) return;
@@ -158,24 +185,77 @@ void Workspace::arrange(Qt::DockWidgetArea area) {
   });
   resizeDocks({column.front()}, {first->extent},
               standsAtSide(area) ? Qt::Horizontal : Qt::Vertical);
-  if (column.size() < 2 || !standsAtSide(area)) return;
-  if (heightWanted(column) > height()) {
-    for (std::size_t k = 1; k < column.size(); ++k)
-      tabifyDockWidget(column[k - 1], column[k]);
-    column.front()->raise();
-    return;
+  if (!standsAtSide(area) || heightWanted(column) <= height()) return;
+  for (std::size_t k = 1; k < column.size(); ++k)
+    tabifyDockWidget(column[k - 1], column[k]);
+  column.front()->raise();
+}
+
+// A dock that was hidden, came back, or was laid out for another height leaves the others with too
+// much or too little: Qt divides in proportion, and panels have a height of their own.
+void Workspace::settle() {
+  if (!isVisible()) return;
+  if (!arranged_) {
+    if (!applyLayout(std::exchange(kept_, {}))) resetLayout();
+  } else if (QGuiApplication::mouseButtons() != Qt::NoButton) {
+    return settling_.start(kStillDraggedMs);
   }
-  QList<int> heights;
-  for (const QDockWidget* dock : column)
-    heights << dock->sizeHint().height();
-  heights.last() += height() - heightWanted(column);
-  resizeDocks(QList<QDockWidget*>(column.begin(), column.end()), heights, Qt::Vertical);
+  for (const Qt::DockWidgetArea area : kAreas) {
+    if (standsAtSide(area)) settleColumn(area);
+  }
+}
+
+void Workspace::settleColumn(Qt::DockWidgetArea area) {
+  layout()->activate();
+  const int separator = style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, this);
+  std::vector<QDockWidget*> column;
+  for (const auto& [id, dock] : byId_) {
+    const bool stands = dockWidgetArea(dock) == area && !dock->isFloating() && isInFront(id);
+    if (stands) column.push_back(dock);
+  }
+  std::sort(column.begin(), column.end(),
+            [](const QDockWidget* a, const QDockWidget* b) { return a->y() < b->y(); });
+  std::vector<ColumnPlace> places;
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    const QDockWidget* dock = column[k];
+    // Below a dock that others stand behind are their tabs.
+    const int end = k + 1 < column.size() ? column[k + 1]->y() - separator : height();
+    const int tabs = end - dock->geometry().bottom() - 1;
+    // Docks beside each other were put so by the user.
+    if (tabs < 0) return;
+    places.push_back({end - dock->y(), dock->sizeHint().height() + tabs, grows(*dock)});
+  }
+  const std::vector<int> heights = settledHeights(places);
+  resizeDocks(QList<QDockWidget*>(column.begin(), column.end()),
+              QList<int>(heights.begin(), heights.end()), Qt::Vertical);
 }
 
 void Workspace::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (arranged_) return;
-  if (!restoreLayout(std::exchange(kept_, {}))) resetLayout();
+  settling_.start(0);
+}
+
+void Workspace::hideEvent(QHideEvent* event) {
+  QMainWindow::hideEvent(event);
+  tellWhatIsSeen();
+}
+
+void Workspace::tellWhatIsSeen() {
+  for (const DockDescription& description : docks_) {
+    const bool seen = isInFront(description.id);
+    if (!description.seen || seen == seen_.contains(description.id)) continue;
+    if (seen) {
+      seen_.insert(description.id);
+    } else {
+      seen_.erase(description.id);
+    }
+    description.seen(*byId_.at(description.id)->widget(), seen);
+  }
+}
+
+void Workspace::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  settling_.start(0);
 }
 
 QByteArray Workspace::saveLayout() const {
@@ -187,18 +267,21 @@ QByteArray Workspace::saveLayout() const {
 }
 
 bool Workspace::restoreLayout(const QByteArray& packed) {
+  if (arranged_) return applyLayout(packed);
+  if (!unpack(packed)) return false;
+  kept_ = packed;
+  return true;
+}
+
+bool Workspace::applyLayout(const QByteArray& packed) {
   const std::optional<KeptLayout> kept = unpack(packed);
-  if (!kept) return false;
-  if (!arranged_ && !isVisible()) {
-    kept_ = packed;
-    return true;
-  }
-  if (!restoreState(kept->state, kLayoutVersion)) return false;
+  if (!kept || !restoreState(kept->state, kLayoutVersion)) return false;
   arranged_ = true;
   for (const DockDescription& description : docks_) {
     if (!kept->docks.contains(description.id)) placeAsDescribed(description);
   }
   takeBackFromNowhere();
+  settling_.start(0);
   Q_EMIT docksChanged();
   return true;
 }

@@ -4,10 +4,12 @@
 // they stand can be kept and brought back. Interface thread only.
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include <QByteArray>
 #include <QMainWindow>
+#include <QTimer>
 
 #include "ui/docks/dock_description.h"
 
@@ -51,8 +53,12 @@ class Workspace : public QMainWindow {
   void docksChanged();
 
  protected:
-  // The layout of the table waits for the size of the window.
+  // The first layout waits until this event is over. The size of the window is known then; and
+  // whoever shows the workspace may hold back its updates meanwhile, which a dock that becomes a
+  // window of its own would never have back.
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   QMenu* createPopupMenu() override { return nullptr; }
 
  private:
@@ -62,11 +68,17 @@ class Workspace : public QMainWindow {
   int heightWanted(const std::vector<QDockWidget*>& column) const;
   void placeAsDescribed(const DockDescription& description);
   void takeBackFromNowhere();
+  bool applyLayout(const QByteArray& layout);
+  void tellWhatIsSeen();
+  void settle();
+  void settleColumn(Qt::DockWidgetArea area);
 
   std::vector<DockDescription> docks_;
   std::map<QString, QDockWidget*> byId_;
+  std::set<QString> seen_;
   bool arranged_ = false;  // by a layout that was restored or by resetLayout()
   QByteArray kept_;        // to be restored when the size is known
+  QTimer settling_;        // fires once Qt has laid out what has changed
 };
 
 }  // namespace cutis

@@ -89,8 +89,8 @@ Panel LossPlot::panel() const {
   const PlotTheme& theme = view_.themeFor(font());
   Panel panel;
   panel.title = tr("Error of reflectance by epoch").toStdString();
-  panel.legend = {{tr("Learned from").toStdString(), firstCurveStroke(theme), {}},
-                  {tr("Held back").toStdString(), secondCurveStroke(theme), {}}};
+  panel.legend = {{tr("Training").toStdString(), firstCurveStroke(theme), {}},
+                  {tr("Validation").toStdString(), secondCurveStroke(theme), {}}};
   panel.x.from = 0;
   panel.x.to = epochsBefore(curves_.size());
   panel.x.hasGrid = false;

@@ -100,7 +100,7 @@ QSize SpectrumPlot::sizeHint() const {
   return {640, 220};
 }
 QSize SpectrumPlot::minimumSizeHint() const {
-  return {320, 140};
+  return {280, 140};
 }
 
 QRectF SpectrumPlot::outside() const {

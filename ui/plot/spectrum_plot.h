@@ -38,6 +38,7 @@ class SpectrumPlot : public QWidget {
   void setMeasured(const QVector<MeasuredChannel>& channels);
   // What the curves belong to: "Pixel 812, 440".
   void setHeading(const QString& heading);
+  const QString& heading() const { return heading_; }
   // Back to the empty state.
   void clear();
 

@@ -38,7 +38,7 @@ PlotTheme windowTheme(const PaintFonts& fonts) {
   // Bands stand out by themselves, and a dock has no room to give away.
   plot.isFramed = false;
   plot.hasAxisTitles = false;
-  plot.legendWraps = false;
+  plot.titleGivesWay = true;
   return plot;
 }
 

@@ -33,8 +33,9 @@ Tones darkTones() {
   return tones;
 }
 
-constexpr int kSeparator = 5;     // between docks
-constexpr int kTitleButton = 20;  // of docks
+constexpr int kSeparator = 5;      // between docks
+constexpr int kTitleButton = 20;   // of docks
+constexpr int kFloatingFrame = 1;  // around docks that float
 
 QPalette paletteOf(const Tones& tones) {
   QPalette palette(tones.raised, tones.panel);
@@ -103,6 +104,15 @@ void drawSeparator(QPainter& painter, const QStyleOption& option) {
   painter.fillRect(line, lit ? tones().accent : tones().field);
 }
 
+// A dock that floats stands out from the picture below it.
+void drawFloatingFrame(QPainter& painter, const QRect& rect) {
+  painter.save();
+  painter.setPen(QPen(tones().dimText, kFloatingFrame));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5));
+  painter.restore();
+}
+
 // Drawn, so that they are sharp at 1.5 × and their grey is that of the theme.
 QIcon titleIcon(QStyle::StandardPixmap which) {
   QIcon icon;
@@ -135,6 +145,8 @@ class Style : public QProxyStyle {
                      const QWidget* widget) const override {
     if (element == PE_IndicatorDockWidgetResizeHandle) {
       drawSeparator(*painter, *option);
+    } else if (element == PE_FrameDockWidget) {
+      drawFloatingFrame(*painter, option->rect);
     } else if (element != PE_FrameFocusRect) {
       QProxyStyle::drawPrimitive(element, option, painter, widget);
     } else if (option->state & State_KeyboardFocusChange) {
@@ -171,6 +183,7 @@ class Style : public QProxyStyle {
   int pixelMetric(PixelMetric metric, const QStyleOption* option,
                   const QWidget* widget) const override {
     if (metric == PM_DockWidgetSeparatorExtent) return kSeparator;
+    if (metric == PM_DockWidgetFrameWidth) return kFloatingFrame;
     if (metric == PM_DockWidgetTitleMargin) return kHalfSpace;
     if (metric == PM_DockWidgetTitleBarButtonMargin) return 1;
     return QProxyStyle::pixelMetric(metric, option, widget);
@@ -180,6 +193,8 @@ class Style : public QProxyStyle {
                 QStyleHintReturn* result) const override {
     // The wheel scrolls the panel and chooses nothing on its way.
     if (hint == SH_ComboBox_AllowWheelScrolling) return 0;
+    // A shadow below what is disabled reads as blur.
+    if (hint == SH_EtchDisabledText || hint == SH_DitherDisabledText) return 0;
     // Lists follow the arrow keys and one click everywhere.
     if (hint == SH_ItemView_ActivateItemOnSingleClick) return 0;
     return QProxyStyle::styleHint(hint, option, widget, result);

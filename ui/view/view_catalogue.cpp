@@ -5,11 +5,13 @@
 
 #include <QCoreApplication>
 
+#include "ui/widgets/parameter_texts.h"
+
 namespace cutis {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("LayerCatalogue", text);
+  return QCoreApplication::translate("ViewCatalogue", text);
 }
 
 QString textOf(std::string_view text) {
@@ -17,18 +19,18 @@ QString textOf(std::string_view text) {
 }
 
 // A view of one of the parameters, in its unit.
-LayerDescription mapOf(ViewKind kind, const QString& name, const QString& toolTip) {
-  LayerDescription map;
+ViewDescription mapOf(ViewKind kind, const QString& toolTip) {
+  ViewDescription map;
   map.kind = kind;
   map.id = textOf(parameterName(*parameterOf(kind)));
-  map.name = name;
+  map.name = parameterTitle(*parameterOf(kind));
   map.toolTip = toolTip;
   map.scale = ScaleKind::sequential;
-  map.unit = textOf(parameterUnit(*parameterOf(kind)));
+  map.unit = parameterUnitText(*parameterOf(kind));
   return map;
 }
 
-std::vector<LayerDescription> makeCatalogue() {
+std::vector<ViewDescription> makeCatalogue() {
   constexpr auto grey = ScaleKind::grey;
   return {
       {ViewKind::photograph,
@@ -52,14 +54,12 @@ std::vector<LayerDescription> makeCatalogue() {
        std::nullopt,
        {},
        false},
-      mapOf(ViewKind::melanin, tr("Melanin"), tr("Share of the epidermis that is melanin")),
-      mapOf(ViewKind::melaninBlend, tr("Melanin blend"),
+      mapOf(ViewKind::melanin, tr("Share of the epidermis that is melanin")),
+      mapOf(ViewKind::melaninBlend,
             tr("Share of eumelanin (brown to black); the rest is pheomelanin (red to yellow)")),
-      mapOf(ViewKind::haemoglobinDermal, tr("Haemoglobin dermal"),
-            tr("Share of the dermis that is blood")),
-      mapOf(ViewKind::haemoglobinEpidermal, tr("Haemoglobin epidermal"),
-            tr("Share of blood near the surface")),
-      mapOf(ViewKind::carotene, tr("Carotene"), tr("β-Carotene in the epidermis")),
+      mapOf(ViewKind::haemoglobinDermal, tr("Share of the dermis that is blood")),
+      mapOf(ViewKind::haemoglobinEpidermal, tr("Share of blood near the surface")),
+      mapOf(ViewKind::carotene, tr("β-Carotene in the epidermis")),
       {ViewKind::ultraviolet, "uv", tr("UV"),
        tr("Mean reflectance from 300 to 400 nm; predicted by the model, not measured"), grey,
        tr("reflectance"), false},
@@ -71,19 +71,19 @@ std::vector<LayerDescription> makeCatalogue() {
 
 }  // namespace
 
-const std::vector<LayerDescription>& layerCatalogue() {
-  static const std::vector<LayerDescription> catalogue = makeCatalogue();
+const std::vector<ViewDescription>& viewCatalogue() {
+  static const std::vector<ViewDescription> catalogue = makeCatalogue();
   return catalogue;
 }
 
-const LayerDescription& describe(ViewKind kind) {
-  const auto& all = layerCatalogue();
+const ViewDescription& describe(ViewKind kind) {
+  const auto& all = viewCatalogue();
   return *std::find_if(all.begin(), all.end(), [kind](const auto& d) { return d.kind == kind; });
 }
 
-std::optional<ViewKind> layerById(const QString& id) {
-  for (const LayerDescription& layer : layerCatalogue()) {
-    if (layer.id == id) return layer.kind;
+std::optional<ViewKind> viewById(const QString& id) {
+  for (const ViewDescription& view : viewCatalogue()) {
+    if (view.id == id) return view.kind;
   }
   return std::nullopt;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the editor calls its layers and how it shows them.
+// What the editor calls its views and how it shows them.
 
 #include <optional>
 #include <vector>
@@ -12,21 +12,21 @@
 
 namespace cutis {
 
-struct LayerDescription {
+struct ViewDescription {
   ViewKind kind = ViewKind::photograph;
   QString id;    // "melanin": in scripts and settings
   QString name;  // "Melanin"
   QString toolTip;
-  // False colour, for layers of one channel; colour pictures have none.
+  // False colour, for views of one channel; colour pictures have none.
   std::optional<ScaleKind> scale;
   QString unit;              // of the values, with a scale
   bool needsSource = false;  // cannot be shown of maps alone
 };
 
-// In the order of the layers strip.
-const std::vector<LayerDescription>& layerCatalogue();
+// In the order of the views strip.
+const std::vector<ViewDescription>& viewCatalogue();
 
-const LayerDescription& describe(ViewKind kind);
-std::optional<ViewKind> layerById(const QString& id);
+const ViewDescription& describe(ViewKind kind);
+std::optional<ViewKind> viewById(const QString& id);
 
 }  // namespace cutis

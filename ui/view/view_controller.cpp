@@ -14,9 +14,9 @@ constexpr int kThumbnailSize = 160;
 constexpr int kOverviewSize = 512;
 
 // The whole picture with at most `size` samples a side.
-ViewRequest wholePicture(ViewKind layer, const Scene& scene, int size) {
+ViewRequest wholePicture(ViewKind view, const Scene& scene, int size) {
   const int longer = std::max(scene.width(), scene.height());
-  return {layer, {0, 0, scene.width(), scene.height()}, std::max(1, (longer + size - 1) / size)};
+  return {view, {0, 0, scene.width(), scene.height()}, std::max(1, (longer + size - 1) / size)};
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ ViewController::~ViewController() = default;
 void ViewController::attach(ViewStrip& strip) {
   strip_ = &strip;
   connect(&strip, &ViewStrip::chosen, this, [this](const QString& id) {
-    if (const auto layer = layerById(id)) show(*layer);
+    if (const auto view = viewById(id)) show(*view);
   });
   if (document_.isOpen()) fillStrip();
 }
@@ -69,30 +69,42 @@ void ViewController::open() {
 void ViewController::fillStrip() {
   thumbnailWatches_.clear();
   if (strip_ == nullptr) return;
-  QVector<LayerEntry> entries;
-  for (const LayerDescription& layer : layerCatalogue()) {
-    if (!isOffered(layer.kind)) continue;
-    entries.push_back({layer.id, layer.name, layer.toolTip});
-    auto watch =
+  QVector<ViewEntry> entries;
+  for (const ViewDescription& view : viewCatalogue()) {
+    if (!isOffered(view.kind)) continue;
+    entries.push_back({view.id, view.name, view.toolTip});
+    thumbnailWatches_[view.kind] =
         server_.watch(ViewPriority::thumbnail, [this](const Part& part) { takeThumbnail(part); });
-    watch->want(wholePicture(layer.kind, document_.scene(), kThumbnailSize));
-    thumbnailWatches_.push_back(std::move(watch));
   }
-  strip_->setLayers({});
-  strip_->setLayers(entries);
+  watchThumbnails();
+  strip_->setViews({});
+  strip_->setViews(entries);
   strip_->setCurrent(describe(current_).id);
 }
 
-bool ViewController::isOffered(ViewKind layer) const {
-  return document_.isOpen() && (document_.scene().source || !describe(layer).needsSource);
+void ViewController::watchThumbnails() {
+  for (const auto& [kind, watch] : thumbnailWatches_) {
+    watch->setSeen(stripSeen_ || (kind == current_ && describe(kind).scale));
+    watch->want(wholePicture(kind, document_.scene(), kThumbnailSize));
+  }
 }
 
-void ViewController::show(ViewKind layer) {
-  if (!isOffered(layer) || layer == current_) return;
-  current_ = layer;
-  if (strip_ != nullptr) strip_->setCurrent(describe(layer).id);
+void ViewController::setStripSeen(bool seen) {
+  stripSeen_ = seen;
+  watchThumbnails();
+}
+
+bool ViewController::isOffered(ViewKind view) const {
+  return document_.isOpen() && (document_.scene().source || !describe(view).needsSource);
+}
+
+void ViewController::show(ViewKind view) {
+  if (!isOffered(view) || view == current_) return;
+  current_ = view;
+  if (strip_ != nullptr) strip_->setCurrent(describe(view).id);
   wantDetail();
   wantOverview();
+  watchThumbnails();
   showColorBar();
   Q_EMIT currentChanged();
 }
@@ -109,43 +121,42 @@ void ViewController::wantOverview() {
 
 void ViewController::takeThumbnail(const Part& part) {
   takeRange(part);
-  strip_->setThumbnail(describe(part->request.layer).id, imageOf(*part));
+  strip_->setThumbnail(describe(part->request.view).id, imageOf(*part));
 }
 
 void ViewController::takeRange(const Part& part) {
-  const ViewKind layer = part->request.layer;
+  const ViewKind view = part->request.view;
   const bool edited = !isNeutral(document_.scene().edits);
-  if (!describe(layer).scale || (edited && ranges_.contains(layer))) return;
-  ranges_[layer] = rangeOf(*part);
-  if (layer != current_) return;
+  if (!describe(view).scale || (edited && ranges_.contains(view))) return;
+  ranges_[view] = rangeOf(*part);
+  if (view != current_) return;
   showDetail();
   showOverview();
   showColorBar();
 }
 
 void ViewController::showDetail() {
-  if (!detail_ || detail_->request.layer != current_) return;
+  if (!detail_ || detail_->request.view != current_) return;
   viewport_.setDetail(imageOf(*detail_), detail_->request.rect, detail_->request.step);
 }
 
 void ViewController::showOverview() {
-  if (overview_ && overview_->request.layer == current_) viewport_.setOverview(imageOf(*overview_));
+  if (overview_ && overview_->request.view == current_) viewport_.setOverview(imageOf(*overview_));
 }
 
 void ViewController::showColorBar() {
-  const LayerDescription& layer = describe(current_);
-  if (!layer.scale) return viewport_.setColorBar(std::nullopt);
+  const ViewDescription& view = describe(current_);
+  if (!view.scale) return viewport_.setColorBar(std::nullopt);
   const DisplayRange range = ranges_[current_];
   viewport_.setColorBar(
-      ColorBarSpec{layer.name, layer.unit, range.minimum, range.maximum, *layer.scale});
+      ColorBarSpec{view.name, view.unit, range.minimum, range.maximum, *view.scale});
 }
 
 QImage ViewController::imageOf(const ViewPart& part) const {
-  const LayerDescription& layer = describe(part.request.layer);
-  if (!layer.scale) return colorImage(part);
-  const auto known = ranges_.find(layer.kind);
-  return falseColorImage(part, *layer.scale,
-                         known == ranges_.end() ? rangeOf(part) : known->second);
+  const ViewDescription& view = describe(part.request.view);
+  if (!view.scale) return colorImage(part);
+  const auto known = ranges_.find(view.kind);
+  return falseColorImage(part, *view.scale, known == ranges_.end() ? rangeOf(part) : known->second);
 }
 
 }  // namespace cutis

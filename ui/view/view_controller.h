@@ -32,12 +32,15 @@ class ViewController : public QObject {
   // From now on the strip, which outlives the controller, shows the views and chooses one. At most
   // one strip.
   void attach(ViewStrip& strip);
+  // Whether anybody sees the strip. While nobody does, of its thumbnails none is made but the one
+  // that gives the false colours of the current view their range. At first nobody does.
+  void setStripSeen(bool seen);
 
   ViewKind current() const { return current_; }
   // Whether the document has such a view.
-  bool isOffered(ViewKind layer) const;
+  bool isOffered(ViewKind view) const;
   // A view that the document does not have is ignored.
-  void show(ViewKind layer);
+  void show(ViewKind view);
 
  Q_SIGNALS:
   void currentChanged();
@@ -47,6 +50,7 @@ class ViewController : public QObject {
 
   void open();
   void fillStrip();
+  void watchThumbnails();
   void wantDetail();
   void wantOverview();
   void takeThumbnail(const Part& part);
@@ -68,7 +72,8 @@ class ViewController : public QObject {
   Part overview_;
   std::unique_ptr<ViewWatch> detailWatch_;
   std::unique_ptr<ViewWatch> overviewWatch_;
-  std::vector<std::unique_ptr<ViewWatch>> thumbnailWatches_;
+  bool stripSeen_ = false;
+  std::map<ViewKind, std::unique_ptr<ViewWatch>> thumbnailWatches_;
 };
 
 }  // namespace cutis

@@ -8,7 +8,7 @@
 namespace cutis {
 namespace {
 
-constexpr int kFrame = 3;  // room for the mark of the chosen layer
+constexpr int kFrame = 3;  // room for the mark of the chosen view
 
 void drawPlaceholder(QPainter& painter, const QRectF& plate) {
   painter.setPen(QPen(theme::tones().line, 1));
@@ -50,7 +50,7 @@ void ViewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->drawImage(place, image);
   }
 
-  // Shape beside colour: the chosen layer has a frame.
+  // Shape beside colour: the chosen view has a frame.
   if (chosen || hovered) {
     painter->setBrush(Qt::NoBrush);
     painter->setPen(QPen(chosen ? tones.accent : tones.line, chosen ? 2 : 1));

@@ -1,6 +1,6 @@
 #pragma once  // internal to ui/view
 
-// Draws one layer of the strip: thumbnail above name. Until a thumbnail has come, a neutral plate
+// Draws one view of the strip: thumbnail above name. Until a thumbnail has come, a neutral plate
 // with a fold of lines stands in, which cannot be taken for a picture.
 
 #include <QStyledItemDelegate>

@@ -1,6 +1,6 @@
 #pragma once  // internal to ui/view
 
-// Parts of layers as images for the screen.
+// Parts of views as images for the screen.
 
 #include <QImage>
 

@@ -17,7 +17,7 @@ constexpr int kLargestRatio = 2;
 }  // namespace
 
 ViewStrip::ViewStrip(QWidget* parent) : QListWidget(parent) {
-  setAccessibleName(tr("Layers"));
+  setAccessibleName(tr("Views"));
   setFixedWidth(kWidth);
   setFrameShape(QFrame::NoFrame);
   setItemDelegate(new ViewDelegate(this));
@@ -36,7 +36,7 @@ ViewStrip::ViewStrip(QWidget* parent) : QListWidget(parent) {
   });
 }
 
-void ViewStrip::setLayers(const QVector<LayerEntry>& layers) {
+void ViewStrip::setViews(const QVector<ViewEntry>& views) {
   const QSignalBlocker silent(this);
   const QString kept = current();
   QHash<QString, QVariant> thumbnails;
@@ -45,11 +45,11 @@ void ViewStrip::setLayers(const QVector<LayerEntry>& layers) {
         item(row)->data(ViewDelegate::kThumbnailRole);
   }
   QListWidget::clear();
-  for (const LayerEntry& layer : layers) {
-    auto* added = new QListWidgetItem(layer.name, this);
-    added->setToolTip(layer.toolTip);
-    added->setData(ViewDelegate::kIdRole, layer.id);
-    added->setData(ViewDelegate::kThumbnailRole, thumbnails.value(layer.id));
+  for (const ViewEntry& view : views) {
+    auto* added = new QListWidgetItem(view.name, this);
+    added->setToolTip(view.toolTip);
+    added->setData(ViewDelegate::kIdRole, view.id);
+    added->setData(ViewDelegate::kThumbnailRole, thumbnails.value(view.id));
   }
   QListWidgetItem* found = itemOf(kept);
   setCurrentItem(found ? found : item(0));

@@ -1,6 +1,6 @@
 #pragma once
 
-// The column of layers: photograph, reconstruction, chromophore maps, … One is always current; a
+// The column of views: photograph, reconstruction, chromophore maps, … One is always current; a
 // click or the arrow keys choose another. Interface thread only.
 
 #include <QListWidget>
@@ -9,7 +9,7 @@
 
 namespace cutis {
 
-struct LayerEntry {
+struct ViewEntry {
   QString id;  // unique in the strip
   QString name;
   QString toolTip;
@@ -21,10 +21,10 @@ class ViewStrip : public QListWidget {
  public:
   explicit ViewStrip(QWidget* parent = nullptr);
 
-  // Keeps thumbnails, and the current layer, of ids that stay. Silent.
-  void setLayers(const QVector<LayerEntry>& layers);
+  // Keeps thumbnails, and the current view, of ids that stay. Silent.
+  void setViews(const QVector<ViewEntry>& views);
   // Any size and shape, fitted into the plate; a null image brings the empty plate back. An unknown
-  // id is ignored: its layer may have gone while the image was computed.
+  // id is ignored: its view may have gone while the image was computed.
   void setThumbnail(const QString& id, const QImage& image);
   // Silent.
   void setCurrent(const QString& id);

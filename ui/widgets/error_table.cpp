@@ -20,7 +20,7 @@ QString verdictOf(double meanSquaredError) {
   const double error = std::sqrt(meanSquaredError);
   if (error < kInvisible) return ErrorTable::tr("Too small a difference to be seen.");
   if (error < kSlight) return ErrorTable::tr("A slight difference; Refined is closer.");
-  return ErrorTable::tr("A difference that is seen; use Refined where colour counts.");
+  return ErrorTable::tr("A visible difference; use Refined where colour counts.");
 }
 
 void setError(QLabel& label, double meanSquaredError) {

@@ -26,6 +26,8 @@ PanelScroll::PanelScroll(QWidget* panel, QWidget* parent) : QScrollArea(parent) 
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::NoFocus);
+  // More height than the panel's shows nothing more.
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
 }
 
 QSize PanelScroll::sizeHint() const {

@@ -1,5 +1,8 @@
 #include "ui/widgets/parameter_slider.h"
 
+#include <algorithm>
+#include <optional>
+
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QGuiApplication>
@@ -12,7 +15,8 @@
 namespace cutis {
 namespace {
 
-// Shift and the arrow keys step ten times finer here too; Qt's own modifier is control, and
+// A number beyond the range is taken as the nearest end; Qt would put the old one back without a
+// word. Shift and the arrow keys step ten times finer here too; Qt's own modifier is control, and
 // coarser.
 class FactorField : public QDoubleSpinBox {
  public:
@@ -21,6 +25,26 @@ class FactorField : public QDoubleSpinBox {
   void stepBy(int steps) override {
     const bool fine = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
     setValue(value() + steps * singleStep() * (fine ? 0.1 : 1.0));
+  }
+
+  // Any number may be typed, with more digits than are kept or a sign.
+  QValidator::State validate(QString& text, int& position) const override {
+    const QValidator::State state = QDoubleSpinBox::validate(text, position);
+    if (state != QValidator::Invalid) return state;
+    const bool isBegun = text == "-" || text == "+" || numberIn(text).has_value();
+    return isBegun ? QValidator::Intermediate : state;
+  }
+
+  void fixup(QString& text) const override {
+    const std::optional<double> number = numberIn(text);
+    text = textFromValue(number ? std::clamp(*number, minimum(), maximum()) : value());
+  }
+
+ private:
+  std::optional<double> numberIn(const QString& text) const {
+    bool isNumber = false;
+    const double number = locale().toDouble(text, &isNumber);
+    return isNumber ? std::optional(number) : std::nullopt;
   }
 };
 
@@ -39,6 +63,7 @@ ParameterSlider::ParameterSlider(const QString& name, const QString& toolTip,
   field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   field_->setAlignment(Qt::AlignRight);
   field_->setAccessibleName(tr("%1, number").arg(name));
+  field_->setToolTip(tr("From %1 to %2").arg(scale.minimum).arg(scale.maximum));
   field_->setFixedWidth(field_->fontMetrics().horizontalAdvance("0.0000") + 2 * theme::kSpace);
   slider_->setAccessibleName(name);
   label_->setBuddy(field_);

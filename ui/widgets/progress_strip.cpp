@@ -21,7 +21,8 @@ namespace {
 constexpr int kHeight = 32;
 constexpr int kBarWidth = 140;
 constexpr int kSteps = 1000;
-constexpr int kMostMessages = 20;  // of each kind; older ones are forgotten
+constexpr std::size_t kMostMessages = 40;  // older ones are forgotten
+constexpr int kReadingMs = 1000;           // after so long a message is taken to be read
 
 // Draws its cross itself: fonts without the sign would show a box, and pictures blur at 1.5 ×.
 class CrossButton : public QToolButton {
@@ -154,43 +155,66 @@ void ProgressStrip::clearJob() {
   updateEscape();
 }
 
-void ProgressStrip::showMessage(const QString& text, bool isError) {
-  QStringList& list = isError ? errors_ : notices_;
-  list.removeAll(text);
-  list.append(text);
-  if (list.size() > kMostMessages) list.removeFirst();
+const ProgressStrip::Message* ProgressStrip::current() const {
+  return messages_.empty() ? nullptr : &messages_.back();
+}
+
+bool ProgressStrip::currentIsRead() const {
+  return isVisible() && current() != nullptr && shownFor_.hasExpired(kReadingMs);
+}
+
+void ProgressStrip::showMessage(const QString& text, bool isError, const QString& topic) {
+  const bool outranked = !isError && messageIsError();
+  if (!outranked && currentIsRead()) messages_.pop_back();
+  messages_.remove_if([&](const Message& old) {
+    return (old.text == text && old.isError == isError) || (!topic.isEmpty() && old.topic == topic);
+  });
+  const auto firstError = std::find_if(messages_.begin(), messages_.end(),
+                                       [](const Message& message) { return message.isError; });
+  messages_.insert(isError ? messages_.end() : firstError, {text, isError, topic});
+  if (messages_.size() > kMostMessages) messages_.pop_front();
   showCurrent();
 }
 
 void ProgressStrip::clearMessages() {
-  errors_.clear();
-  notices_.clear();
+  messages_.clear();
+  showCurrent();
+}
+
+void ProgressStrip::withdraw(const QString& topic) {
+  messages_.remove_if([&](const Message& message) { return message.topic == topic; });
   showCurrent();
 }
 
 void ProgressStrip::dismiss() {
-  QStringList& list = errors_.isEmpty() ? notices_ : errors_;
-  if (!list.isEmpty()) list.removeLast();
+  if (!messages_.empty()) messages_.pop_back();
   showCurrent();
 }
 
 QString ProgressStrip::message() const {
-  if (!errors_.isEmpty()) return errors_.last();
-  return notices_.isEmpty() ? QString() : notices_.last();
+  return current() == nullptr ? QString() : current()->text;
+}
+
+bool ProgressStrip::messageIsError() const {
+  return current() != nullptr && current()->isError;
+}
+
+void ProgressStrip::setMessagesShown(bool shown) {
+  messagesShown_ = shown;
+  showCurrent();
 }
 
 void ProgressStrip::showCurrent() {
-  const bool any = !message().isEmpty();
+  const bool any = current() != nullptr && messagesShown_;
   messageMark_->setVisible(any);
   message_->setVisible(any);
   dismiss_->setVisible(any);
-  if (any) {
-    const bool isError = !errors_.isEmpty();
-    messageMark_->setPixmap(messageMark(isError));
-    messageMark_->setAccessibleName(isError ? tr("Error") : tr("Notice"));
-    message_->setText(message());
-  }
+  if (message_->text() != message()) shownFor_.start();
+  message_->setText(message());
+  messageMark_->setPixmap(messageMark(messageIsError()));
+  messageMark_->setAccessibleName(messageIsError() ? tr("Error") : tr("Notice"));
   updateEscape();
+  Q_EMIT messageChanged();
 }
 
 void ProgressStrip::setReadout(const QString& text) {

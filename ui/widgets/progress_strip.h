@@ -4,10 +4,11 @@
 // until it is dismissed, and the read-out under the cursor on the right. Escape cancels the job; if
 // none runs it dismisses the message. Interface thread only.
 
+#include <list>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QString>
-#include <QStringList>
 #include <QWidget>
 
 class QLabel;
@@ -37,18 +38,36 @@ class ProgressStrip : public QWidget {
   void clearJob();
   bool jobRuns() const { return jobRuns_; }
 
-  // Errors stand before notices, newer ones before older; a dismissed one gives way to the next.
-  void showMessage(const QString& text, bool isError);
+  // Errors stand before notices, newer ones before older. A message that gives way to another after
+  // it has stood long enough to be read does not return; one that nobody could read yet does. Of
+  // one topic, such as the name of a job, the newest message alone is kept; an empty topic is none.
+  void showMessage(const QString& text, bool isError, const QString& topic = {});
   void clearMessages();
+  // What was said about the topic no longer holds.
+  void withdraw(const QString& topic);
   // What is shown; empty if nothing.
   QString message() const;
+  bool messageIsError() const;
+  // False: messages are shown by somebody else; Escape still dismisses them.
+  void setMessagesShown(bool shown);
 
   void setReadout(const QString& text);
 
  Q_SIGNALS:
   void cancelWanted();
+  // Another message is to be shown, or none any more.
+  void messageChanged();
 
  private:
+  struct Message {
+    QString text;
+    bool isError;
+    QString topic;
+  };
+
+  // Null if there is none.
+  const Message* current() const;
+  bool currentIsRead() const;
   void dismiss();
   void showCurrent();
   void updateEscape();
@@ -63,8 +82,9 @@ class ProgressStrip : public QWidget {
   QShortcut* escape_;
 
   bool jobRuns_ = false;
-  QStringList errors_;
-  QStringList notices_;
+  bool messagesShown_ = true;
+  std::list<Message> messages_;  // notices, then errors, each the oldest first; the last is shown
+  QElapsedTimer shownFor_;
 };
 
 // "3 s left", "2 min left"; "less than 1 s left" below one second.

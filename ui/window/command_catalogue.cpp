@@ -133,7 +133,7 @@ Rows zoomCommands(const Editor& editor) {
       {.id = "view.oneToOne",
        .menu = Menu::view,
        .text = tr("&One to one"),
-       .toolTip = tr("One pixel of the picture on one of the display"),
+       .toolTip = tr("Each pixel of the picture fills one pixel of the screen"),
        .shortcuts = {Qt::Key_1},
        .keyboardOf = &viewport,
        .run = [&viewport] { viewport.zoomOneToOne(); },
@@ -158,7 +158,7 @@ Rows zoomCommands(const Editor& editor) {
 // One for each view of the catalogue, on Alt and a digit as long as there are digits.
 Rows viewCommands(const Editor& editor) {
   Rows rows;
-  for (const LayerDescription& view : layerCatalogue()) {
+  for (const ViewDescription& view : viewCatalogue()) {
     const auto number = rows.size() + 1;
     rows.push_back(
         {.id = "view." + view.id,
@@ -192,7 +192,8 @@ Rows dockCommands(const Editor& editor) {
   for (const DockDescription& dock : workspace.all()) {
     rows.push_back({.id = "dock." + dock.id,
                     .menu = Menu::view,
-                    .text = tr("Dock: %1").arg(dock.title),
+                    .submenu = tr("&Docks"),
+                    .text = dock.title,
                     .shortcuts = {dock.shortcut},
                     .beginsSection = rows.empty(),
                     .run = [&workspace, id = dock.id] { workspace.toggle(id); },
@@ -201,6 +202,7 @@ Rows dockCommands(const Editor& editor) {
   }
   rows.push_back({.id = "dock.resetLayout",
                   .menu = Menu::view,
+                  .submenu = tr("&Docks"),
                   .text = tr("&Reset layout"),
                   .toolTip = tr("Every dock back to its place"),
                   .shortcuts = {QKeySequence(tr("Shift+F5"))},

@@ -8,6 +8,8 @@ JobDisplay::JobDisplay(JobRunner& jobs, ProgressStrip& progress, QObject* parent
     : QObject(parent), jobs_(jobs), progress_(progress) {
   connect(&jobs, &JobRunner::started, this, [this](JobId id, const QString& name) {
     names_[id] = name;
+    // That it was cancelled before is of no interest any more.
+    progress_.withdraw(name);
     show(id, {}, std::nullopt, -1.0);
   });
   connect(&jobs, &JobRunner::progressed, this, &JobDisplay::show);
@@ -35,7 +37,7 @@ void JobDisplay::cancelShown() {
   if (names_.empty()) return;
   const auto [id, name] = *names_.rbegin();
   jobs_.cancel(id);
-  progress_.showMessage(tr("%1: cancelled").arg(name), false);
+  progress_.showMessage(tr("%1: cancelled").arg(name), false, name);
 }
 
 }  // namespace cutis

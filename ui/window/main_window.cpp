@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -26,12 +27,14 @@
 #include "ui/window/dock_catalogue.h"
 #include "ui/window/job_display.h"
 #include "ui/window/start_page.h"
+#include "ui/window/window_size.h"
 
 namespace cutis {
 namespace {
 
 constexpr char kGeometry[] = "geometry";
 constexpr char kLayout[] = "layout";
+constexpr QSize kFirstSize(1440, 900);
 
 }  // namespace
 
@@ -55,6 +58,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
       opener_(std::make_unique<OpenController>(*document_, jobs_, *progress_, this)),
       exports_(std::make_unique<ExportController>(*document_, *engine_, jobs_, *progress_, this)) {
   new JobDisplay(jobs_, *progress_, this);
+  setWindowTitle(tr("Cutis"));
   fillTables();
   layOut();
   connectStartPage();
@@ -102,8 +106,9 @@ void MainWindow::connectStartPage() {
   connect(start_, &StartPage::captureWanted, this, [this] { commands_->run("file.openCapture"); });
   connect(start_, &StartPage::imageWanted, this, [this] { commands_->run("file.openImage"); });
   connect(start_, &StartPage::fileWanted, opener_.get(), &OpenController::open);
-  connect(start_, &StartPage::filesWanted, this,
-          [this](const QStringList& paths) { opener_->open(paths.first()); });
+  connect(progress_, &ProgressStrip::messageChanged, start_,
+          [this] { start_->showMessage(progress_->message(), progress_->messageIsError()); });
+  progress_->setMessagesShown(false);
 }
 
 void MainWindow::connectDocument() {
@@ -133,6 +138,7 @@ void MainWindow::showDocument() {
   // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
   exportButton_->show();
   pages_->setCurrentWidget(workspace_);
+  progress_->setMessagesShown(true);
   viewport_->setFocus();
 }
 
@@ -148,13 +154,22 @@ bool MainWindow::isIdle() const {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+  if (!event->mimeData()->hasUrls()) return;
+  event->acceptProposedAction();
+  start_->setDropLit(true);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+  start_->setDropLit(false);
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  start_->setDropLit(false);
+  QStringList files;
   for (const QUrl& url : event->mimeData()->urls()) {
-    if (url.isLocalFile()) return opener_->open(url.toLocalFile());
+    if (url.isLocalFile()) files << url.toLocalFile();
   }
+  opener_->openAll(files);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -168,7 +183,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 void MainWindow::restoreSettings() {
   start_->setRecentFiles(opener_->recentFiles());
   const QSettings settings;
-  if (!restoreGeometry(settings.value(kGeometry).toByteArray())) resize(1440, 900);
+  // A screen may have become smaller, or have gone.
+  const QRect room = screen()->availableGeometry();
+  if (!restoreGeometry(settings.value(kGeometry).toByteArray())) {
+    resize(withinScreen(QRect(room.topLeft(), kFirstSize), room).size());
+  } else if (!isMaximized() && !isFullScreen()) {
+    setGeometry(withinScreen(geometry(), room));
+  }
   // A layout that is not one leaves the docks where the table says.
   workspace_->restoreLayout(settings.value(kLayout).toByteArray());
 }

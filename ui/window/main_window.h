@@ -55,7 +55,9 @@ class MainWindow : public QMainWindow {
   ProgressStrip& progress() { return *progress_; }
 
  protected:
+  // What is dropped anywhere in the window is opened.
   void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 

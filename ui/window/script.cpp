@@ -34,9 +34,9 @@ struct Call {
   }
 };
 
-Status layer(const Call& call) {
-  const auto kind = layerById(call.words[1]);
-  if (!kind) return call.wrong("there is no layer of this name");
+Status view(const Call& call) {
+  const auto kind = viewById(call.words[1]);
+  if (!kind) return call.wrong("there is no view of this name");
   call.window.views().show(*kind);
   return {};
 }
@@ -134,7 +134,7 @@ const std::map<QString, Verb>& verbs() {
   static const std::map<QString, Verb> all = {
       {"sample", {1, 1, simple([](const Call& call) { call.window.opener().openSample(); })}},
       {"open", {2, 2, simple([](const Call& call) { call.window.opener().open(call.words[1]); })}},
-      {"layer", {2, 2, layer}},
+      {"view", {2, 2, view}},
       {"factor", {3, 3, factor}},
       {"light", {2, 3, light}},
       {"profile",

@@ -1,12 +1,9 @@
 #include "ui/window/start_page.h"
 
-#include <QDragEnterEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMimeData>
 #include <QPainter>
 #include <QPushButton>
-#include <QUrl>
 
 #include "ui/theme/theme.h"
 #include "ui/widgets/recent_list.h"
@@ -19,19 +16,15 @@ constexpr int kDropHeight = 104;
 constexpr int kPrimaryHeight = 40;
 constexpr int kButtonHeight = 32;
 
-QStringList filesOf(const QMimeData* data) {
-  QStringList files;
-  for (const QUrl& url : data->urls()) {
-    if (url.isLocalFile()) files << url.toLocalFile();
-  }
-  return files;
+void setTone(QLabel& label, const QColor& tone) {
+  QPalette palette = label.palette();
+  palette.setColor(QPalette::WindowText, tone);
+  label.setPalette(palette);
 }
 
 QLabel* dimLabel(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);
-  QPalette palette = label->palette();
-  palette.setColor(QPalette::WindowText, theme::tones().dimText);
-  label->setPalette(palette);
+  setTone(*label, theme::tones().dimText);
   label->setWordWrap(true);
   return label;
 }
@@ -40,7 +33,6 @@ QLabel* dimLabel(const QString& text, QWidget* parent) {
 
 StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Start page"));
-  setAcceptDrops(true);
 
   auto* column = new QWidget(this);
   column->setFixedWidth(kColumnWidth + 2 * theme::kSpace);
@@ -58,18 +50,25 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* capture = new QPushButton(tr("Open capture…"), column);
   capture->setToolTip(
       tr("Photographs of one subject under several lights, with their capture.json"));
-  auto* image = new QPushButton(tr("Open image…"), column);
-  image->setToolTip(tr("A single albedo texture, such as an EXR, TIFF or PNG"));
+  auto* image = new QPushButton(tr("Open image or maps…"), column);
+  image->setToolTip(
+      tr("An albedo texture, such as an EXR, TIFF or PNG, or maps that were fitted before"));
   for (QPushButton* button : {capture, image})
     button->setMinimumHeight(kButtonHeight);
 
   dropArea_ = new QWidget(column);
   dropArea_->setFixedHeight(kDropHeight);
   auto* dropHint =
-      dimLabel(tr("or drop photographs, a capture folder or an albedo texture here"), dropArea_);
+      dimLabel(tr("or drop a capture folder, an albedo texture or maps here"), dropArea_);
   dropHint->setAlignment(Qt::AlignCenter);
   auto* dropLayout = new QHBoxLayout(dropArea_);
   dropLayout->addWidget(dropHint);
+
+  message_ = new QLabel(column);
+  message_->setWordWrap(true);
+  message_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  message_->setAccessibleName(tr("Message"));
+  message_->hide();
 
   recentHeading_ = new QLabel(tr("Recent files"), column);
   recentHeading_->setFont(theme::headingFont(*this));
@@ -89,6 +88,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   stack->addLayout(buttons);
   stack->addSpacing(theme::kHalfSpace);
   stack->addWidget(dropArea_);
+  stack->addWidget(message_);
   stack->addSpacing(theme::kDoubleSpace);
   stack->addWidget(recentHeading_);
   // The list is wider by the inset of its rows: its text stands below the heading's.
@@ -117,6 +117,12 @@ void StartPage::setRecentFiles(const QStringList& paths) {
   recent_->setVisible(!paths.isEmpty());
 }
 
+void StartPage::showMessage(const QString& text, bool isError) {
+  message_->setText(text);
+  message_->setVisible(!text.isEmpty());
+  setTone(*message_, isError ? theme::tones().error : theme::tones().text);
+}
+
 void StartPage::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -132,28 +138,6 @@ void StartPage::paintEvent(QPaintEvent*) {
 void StartPage::setDropLit(bool lit) {
   dropLit_ = lit;
   update();
-}
-
-void StartPage::dragEnterEvent(QDragEnterEvent* event) {
-  if (filesOf(event->mimeData()).isEmpty()) return;
-  event->acceptProposedAction();
-  setDropLit(true);
-}
-
-void StartPage::dragLeaveEvent(QDragLeaveEvent*) {
-  setDropLit(false);
-}
-
-void StartPage::dropEvent(QDropEvent* event) {
-  setDropLit(false);
-  const QStringList files = filesOf(event->mimeData());
-  if (files.isEmpty()) return;
-  event->acceptProposedAction();
-  if (files.size() == 1) {
-    Q_EMIT fileWanted(files.first());
-  } else {
-    Q_EMIT filesWanted(files);
-  }
 }
 
 }  // namespace cutis

@@ -1,7 +1,7 @@
 #pragma once  // internal to ui/window
 
 // What stands in the window while nothing is open: the sample, the ways to open something, recent
-// files. Anything dropped anywhere on it is opened. Interface thread only.
+// files, and what went wrong with one. Interface thread only.
 
 #include <QStringList>
 #include <QWidget>
@@ -21,27 +21,25 @@ class StartPage : public QWidget {
 
   // Absolute paths, newest first; without any the section is not shown.
   void setRecentFiles(const QStringList& paths);
+  // Below the place where files are dropped; an empty text takes it away.
+  void showMessage(const QString& text, bool isError);
+  // Files are held over the window, which is where they are dropped.
+  void setDropLit(bool lit);
 
  Q_SIGNALS:
   void sampleWanted();
   void captureWanted();  // "Open capture…"
-  void imageWanted();    // "Open image…"
-  // A recent file was chosen or one thing was dropped: a file or a folder.
+  void imageWanted();    // "Open image or maps…"
+  // A recent file was chosen.
   void fileWanted(const QString& path);
-  // Several were dropped at once: photographs of one capture, or tiles of one set.
-  void filesWanted(const QStringList& paths);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dragLeaveEvent(QDragLeaveEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
 
  private:
-  void setDropLit(bool lit);
-
   QPushButton* sample_;
   QWidget* dropArea_;
+  QLabel* message_;
   QLabel* recentHeading_;
   RecentList* recent_;
   bool dropLit_ = false;

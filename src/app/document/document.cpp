@@ -312,6 +312,13 @@ void Document::setEdits(bool moving) {
   Q_EMIT editsChanged(moving);
 }
 
+std::optional<ParameterVector> Document::editedParametersAt(int x, int y) const {
+  if (!scene_ || !scene_->maps.state.bounds().contains(x, y)) return std::nullopt;
+  const auto edited = loadEdited(*scene_, {x, y, x + 1, y + 1});
+  if (!edited || !edited.value().present.front()) return std::nullopt;
+  return onlyPixelOf(edited.value());
+}
+
 std::optional<Document::PixelSpectra> Document::spectraAt(int x, int y) const {
   if (!scene_ || !scene_->maps.state.bounds().contains(x, y)) return std::nullopt;
   const Rect pixel = {x, y, x + 1, y + 1};

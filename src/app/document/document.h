@@ -103,6 +103,8 @@ class Document : public QObject {
     Spectrum edited;
   };
   std::optional<PixelSpectra> spectraAt(int x, int y) const;
+  // Of them the edited parameters alone, which need no model.
+  std::optional<ParameterVector> editedParametersAt(int x, int y) const;
 
  Q_SIGNALS:
   // Something else is open now; its maps may still be empty.

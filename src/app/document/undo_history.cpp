@@ -6,7 +6,7 @@ namespace cutis {
 
 void UndoHistory::push(const QString& name, const QString& mergeGroup, DocumentState state) {
   if (open_ && !mergeGroup.isEmpty() && steps_[position_].group == mergeGroup) {
-    steps_[position_].state = std::move(state);
+    steps_[position_] = {name, mergeGroup, std::move(state)};
     return;
   }
   steps_.resize(position_ + 1);

@@ -1,7 +1,7 @@
 #pragma once  // internal to src/app/document
 
 // Undo by snapshots of a small state. Commands of one merge group that follow each other are one
-// step: a drag of a slider is undone at once.
+// step, which bears the name of the last: a drag of a slider is undone at once.
 
 #include <vector>
 

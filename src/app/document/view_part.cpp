@@ -15,12 +15,12 @@ namespace {
 // Rows of samples that one thread computes at a time.
 constexpr int kBandRows = 32;
 
-// The reduced model a layer needs; null for those that need none.
-Result<std::shared_ptr<const ResponseModel>> modelOf(ViewKind layer, const Scene& scene,
+// The reduced model a view needs; null for those that need none.
+Result<std::shared_ptr<const ResponseModel>> modelOf(ViewKind view, const Scene& scene,
                                                      Engine& engine, const PictureRequest& picture,
                                                      const JobContext& context) {
   PictureRequest request;
-  switch (layer) {
+  switch (view) {
     case ViewKind::skin:
       request = picture;
       break;
@@ -39,11 +39,11 @@ Result<std::shared_ptr<const ResponseModel>> modelOf(ViewKind layer, const Scene
   return engine.response(scene.model, wanted.rows, scene.free(), context);
 }
 
-Result<PictureBuffer> renderBand(const Scene& scene, const ResponseModel* model, ViewKind layer,
+Result<PictureBuffer> renderBand(const Scene& scene, const ResponseModel* model, ViewKind view,
                                  const Rect& rect, int step) {
-  if (const auto parameter = parameterOf(layer)) return mapPart(scene, *parameter, rect, step);
-  if (layer == ViewKind::photograph) return photographPart(*scene.source, rect, step);
-  if (layer == ViewKind::editedAlbedo) {
+  if (const auto parameter = parameterOf(view)) return mapPart(scene, *parameter, rect, step);
+  if (view == ViewKind::photograph) return photographPart(*scene.source, rect, step);
+  if (view == ViewKind::editedAlbedo) {
     CUTIS_TRY(photograph, photographPart(*scene.source, rect, step));
     return editAlbedoPart(std::move(photograph), scene, *model, false, rect, step);
   }
@@ -67,10 +67,10 @@ PictureBuffer joinBands(std::vector<PictureBuffer> bands) {
 
 }  // namespace
 
-std::optional<Parameter> parameterOf(ViewKind layer) {
+std::optional<Parameter> parameterOf(ViewKind view) {
   static_assert(kParameterCount == 5,
                 "a sixth has its ViewKind here and its row in ui/view/view_catalogue.cpp");
-  switch (layer) {
+  switch (view) {
     case ViewKind::melanin:
       return kMelanin;
     case ViewKind::melaninBlend:
@@ -88,7 +88,7 @@ std::optional<Parameter> parameterOf(ViewKind layer) {
 
 Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureRequest& picture,
                             const ViewRequest& request, const JobContext& context) {
-  CUTIS_TRY(model, modelOf(request.layer, scene, engine, picture, context));
+  CUTIS_TRY(model, modelOf(request.view, scene, engine, picture, context));
   ViewPart part;
   part.request = request;
   part.request.rect = intersection(request.rect, scene.maps.state.bounds());
@@ -100,7 +100,7 @@ Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureReq
   CUTIS_CHECK(parallelFor(bands.size(), context, [&](std::size_t i) -> Status {
     const int y0 = rect.y0 + static_cast<int>(i) * bandHeight;
     const Rect band = {rect.x0, y0, rect.x1, std::min(y0 + bandHeight, rect.y1)};
-    CUTIS_TRY(pixels, renderBand(scene, model.get(), request.layer, band, request.step));
+    CUTIS_TRY(pixels, renderBand(scene, model.get(), request.view, band, request.step));
     bands[i] = std::move(pixels);
     return {};
   }));

@@ -25,11 +25,11 @@ enum class ViewKind {
   nearInfrared,
 };
 
-// Nothing for the layers that are no map.
-std::optional<Parameter> parameterOf(ViewKind layer);
+// Nothing for the views that are no map.
+std::optional<Parameter> parameterOf(ViewKind view);
 
 struct ViewRequest {
-  ViewKind layer = ViewKind::photograph;
+  ViewKind view = ViewKind::photograph;
   Rect rect;     // of the picture, in pixels
   int step = 1;  // every step-th pixel of every step-th row
   bool operator==(const ViewRequest&) const = default;
@@ -41,7 +41,7 @@ struct ViewPart {
 };
 
 // The part of the picture that a request asks for; what lies outside of the picture is left out.
-// `picture` is the light and eyes of the layer `skin`. On all cores. Precondition for photograph
+// `picture` is the light and eyes of the view `skin`. On all cores. Precondition for photograph
 // and editedAlbedo: the scene has a source.
 Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureRequest& picture,
                             const ViewRequest& request, const JobContext& context);

@@ -7,8 +7,8 @@ namespace {
 
 constexpr int kCoarserWhileMoving = 2;
 
-bool showsMaps(ViewKind layer) {
-  return layer != ViewKind::photograph;
+bool showsMaps(ViewKind view) {
+  return view != ViewKind::photograph;
 }
 
 }  // namespace
@@ -22,6 +22,12 @@ void ViewWatch::want(const ViewRequest& request) {
   request_ = request;
   due_ = !request.rect.empty();
   server_.startNext();
+}
+
+void ViewWatch::setSeen(bool seen) {
+  if (seen == seen_) return;
+  seen_ = seen;
+  if (seen) server_.startNext();
 }
 
 ViewServer::ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent)
@@ -61,7 +67,7 @@ std::unique_ptr<ViewWatch> ViewServer::watch(ViewPriority priority, ViewWatch::S
 void ViewServer::setPicture(const PictureRequest& picture) {
   if (picture == picture_) return;
   picture_ = picture;
-  invalidate([](ViewKind layer) { return layer == ViewKind::skin; });
+  invalidate([](ViewKind view) { return view == ViewKind::skin; });
 }
 
 bool ViewServer::isIdle() const {
@@ -70,7 +76,7 @@ bool ViewServer::isIdle() const {
 
 void ViewServer::invalidate(const std::function<bool(ViewKind)>& concerns) {
   for (const auto& [id, watch] : watches_) {
-    if (concerns(watch->request_.layer) && !watch->request_.rect.empty()) watch->due_ = true;
+    if (concerns(watch->request_.view) && !watch->request_.rect.empty()) watch->due_ = true;
   }
   startNext();
 }
@@ -89,7 +95,8 @@ void ViewServer::forget() {
 ViewWatch* ViewServer::mostUrgent() const {
   ViewWatch* urgent = nullptr;
   for (const auto& [id, watch] : watches_) {
-    if (!watch->due_ || (moving_ && watch->priority_ != ViewPriority::detail)) continue;
+    if (!watch->due_ || !watch->seen_ || (moving_ && watch->priority_ != ViewPriority::detail))
+      continue;
     if (urgent == nullptr || watch->priority_ < urgent->priority_) urgent = watch;
   }
   return urgent;
@@ -121,9 +128,9 @@ void ViewServer::startNext() {
 
 void ViewServer::deliver(std::uint64_t watch, const std::shared_ptr<const ViewPart>& part) {
   job_ = 0;
-  // The watch may be gone, or want another layer by now.
+  // The watch may be gone, or want another view by now.
   const auto found = watches_.find(watch);
-  if (found != watches_.end() && found->second->request_.layer == part->request.layer) {
+  if (found != watches_.end() && found->second->request_.view == part->request.view) {
     found->second->show_(part);
   }
   startNext();

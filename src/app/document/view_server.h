@@ -2,7 +2,7 @@
 
 // Pictures for the screen, made for those who watch.
 //
-// A view holds a ViewWatch and says which part of which layer it shows at which step; it is then
+// A panel holds a ViewWatch and says which part of which view it shows at which step; it is then
 // handed that part whenever it changes, newest state first, computed in the background. What nobody
 // watches is not computed. While a control is dragged parts come at half resolution; the full one
 // follows when it rests.
@@ -44,6 +44,9 @@ class ViewWatch {
 
   // Replaces the wish; an empty rect wishes nothing.
   void want(const ViewRequest& request);
+  // While nobody sees what it shows, nothing is made for it; what has changed meanwhile is made
+  // when it is seen again. At first it is seen.
+  void setSeen(bool seen);
 
  private:
   friend class ViewServer;
@@ -56,6 +59,7 @@ class ViewWatch {
   Show show_;
   ViewRequest request_;
   bool due_ = false;  // the last part shown is not of this state, or none was
+  bool seen_ = true;
 };
 
 class ViewServer : public QObject {
@@ -68,7 +72,7 @@ class ViewServer : public QObject {
   // Among watches of one priority the oldest is served first. The server outlives its watches.
   std::unique_ptr<ViewWatch> watch(ViewPriority priority, ViewWatch::Show show);
 
-  // What the layer `skin` shows.
+  // What the view `skin` shows.
   void setPicture(const PictureRequest& picture);
   const PictureRequest& picture() const { return picture_; }
 

@@ -1,6 +1,8 @@
 #include "src/app/training/network_training.h"
 
 #include <chrono>
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "core/base/content_hash.h"
@@ -20,11 +22,17 @@ JobContext silent(const JobContext& context) {
   return {context.stop, {}, context.notice};
 }
 
+// Of reflectance, as everywhere the errors of networks are shown.
+std::string percentText(double meanSquaredError) {
+  return formatNumber(100.0 * std::sqrt(meanSquaredError), 2) + " %";
+}
+
 EpochCallback epochReport(NetworkKind kind, int epochs, const JobContext& context,
                           const NetworkObserver& observer) {
   return [=](const TrainingEpoch& epoch) {
-    const std::string stage =
-        std::string(networkName(kind)) + ", error " + formatNumber(epoch.heldOutError, 3);
+    const std::string stage = std::string(networkName(kind)) + ", epoch " +
+                              std::to_string(epoch.epoch) + " of " + std::to_string(epochs) +
+                              ", error " + percentText(epoch.heldOutError);
     context.child(0.0, 1.0, stage).progress.report(static_cast<double>(epoch.epoch) / epochs);
     if (observer) observer({kind, epochs, epoch});
   };

@@ -32,8 +32,9 @@ struct PlotTheme {
   bool isFramed = true;    // a rectangle around each panel
   // The name of an axis stands beside it; else its last number has the unit, which takes less room.
   bool hasAxisTitles = true;
-  // A legend that has no room beside the title takes lines of its own.
-  bool legendWraps = true;
+  // A legend that has no room beside the title takes lines of its own; or the title is shortened
+  // first, so that the plot keeps its height while words in the legend change.
+  bool titleGivesWay = false;
 };
 
 // It has a ground of its own, so that it reads the same on a light and on a dark page.

@@ -39,9 +39,10 @@ LegendRow wholeLegend(const TitleLine& line) {
 // Whether the legend stands in the title's own line.
 bool isBeside(const TitleLine& line, double width, const PlotTheme& theme,
               const TextMetrics& metrics) {
-  if (line.legend.empty() || line.title.empty() || !theme.legendWraps) return true;
-  const double title = metrics.width(line.title, line.style);
-  return title + theme.farSpace + rowWidth(wholeLegend(line), theme, metrics) <= width;
+  if (line.legend.empty() || line.title.empty()) return true;
+  const double legend = rowWidth(wholeLegend(line), theme, metrics);
+  if (theme.titleGivesWay) return legend <= width;
+  return metrics.width(line.title, line.style) + theme.farSpace + legend <= width;
 }
 
 // The legend in as few rows as hold it.
@@ -52,7 +53,7 @@ std::vector<LegendRow> legendRows(const TitleLine& line, double width, const Plo
   for (const LegendEntry& entry : line.legend) {
     LegendRow longer = rows.back();
     longer.push_back(&entry);
-    if (theme.legendWraps && longer.size() > 1 && rowWidth(longer, theme, metrics) > width) {
+    if (longer.size() > 1 && rowWidth(longer, theme, metrics) > width) {
       rows.push_back({&entry});
     } else {
       rows.back() = longer;

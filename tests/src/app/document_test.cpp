@@ -1,4 +1,4 @@
-// Document and layer server together, on the embedded sample.
+// Document and view server together, on the embedded sample.
 
 #include "src/app/document/document.h"
 
@@ -63,6 +63,26 @@ class DocumentTest : public QObject {
     QTest::qWait(30);
     QCOMPARE(idle.count(), 0);
     QVERIFY(jobs_.isIdle());
+  }
+
+  // And once, whatever changed meanwhile, when it is seen again.
+  void whatNobodySeesIsNotComputed() {
+    int served = 0;
+    const auto watch = server_.watch(ViewPriority::thumbnail, [&](const auto&) { ++served; });
+    watch->setSeen(false);
+    QSignalSpy idle(&jobs_, &JobRunner::idle);
+    watch->want({ViewKind::skin, {300, 300, 400, 380}, 2});
+    document_.apply(scaleMelanin(1.4));
+    document_.apply(scaleMelanin(1.6));
+    QTest::qWait(30);
+    QCOMPARE(idle.count(), 0);
+    QVERIFY(server_.isIdle());
+    watch->setSeen(true);
+    QTRY_COMPARE(served, 1);
+    watch->setSeen(false);
+    watch->setSeen(true);  // nothing new
+    QTest::qWait(30);
+    QCOMPARE(served, 1);
   }
 
   void aWatchIsServedWheneverItsPartChanges() {

@@ -57,8 +57,9 @@ class UndoHistoryTest : public QObject {
 
   void aGroupIsOneStepUntilItIsClosed() {
     UndoHistory history;
-    history.push("drag", "melanin", withMelanin(1.1));
-    history.push("drag", "melanin", withMelanin(1.2));
+    history.push("to 1.1", "melanin", withMelanin(1.1));
+    history.push("to 1.2", "melanin", withMelanin(1.2));
+    QCOMPARE(history.undoName(), QString("to 1.2"));
     history.closeGroup();
     history.push("drag", "melanin", withMelanin(1.5));
     history.push("other", "carotene", withMelanin(1.6));
