@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/text_file.h"
@@ -121,7 +122,7 @@ class Reader {
     const auto wavelength = wavelengthOf(field);
     if (!wavelength) {
       return inputError(at(row, column),
-                        "'" + std::string(field) + "' is not a wavelength; give a number in nm");
+                        inQuotes(std::string(field)) + " is not a wavelength; give a number in nm");
     }
     if (before && *wavelength <= *before) {
       return inputError(at(row, column), "the wavelength " + formatNumber(*wavelength) +
@@ -145,7 +146,7 @@ class Reader {
     const auto value = parseNumber(field);
     if (!value || !std::isfinite(*value)) {
       return inputError(at(row, column),
-                        "'" + std::string(field) + "' is not a finite number; correct it");
+                        inQuotes(std::string(field)) + " is not a finite number; correct it");
     }
     if (used && *value < 0.0) {
       return inputError(at(row, column),

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "src/files/io/csv.h"
 #include "src/files/io/text_file.h"
@@ -44,8 +45,8 @@ Result<SpectralTable> parseSpectralCsv(std::string_view text, const std::string&
     for (std::size_t c = 0; c < row.fields.size(); ++c) {
       const auto value = parseNumber(row.fields[c]);
       if (!value || !std::isfinite(*value)) {
-        return inputError(at(place, row, c), "'" + std::string(row.fields[c]) +
-                                                 "' is not a finite number; correct it");
+        return inputError(at(place, row, c), inQuotes(std::string(row.fields[c])) +
+                                                 " is not a finite number; correct it");
       }
       (c == 0 ? table.wavelengthsNm : table.columns[c - 1]).push_back(*value);
     }

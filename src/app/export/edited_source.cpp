@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/choice_place.h"
 #include "core/base/parallel.h"
 #include "core/render/render_picture.h"
 #include "src/app/open/photograph_part.h"
@@ -68,7 +69,7 @@ class SourceEditor {
         sameSpace_(source.image && source.colorSpace == options.colorSpace) {}
 
   Status prepare(const std::string& space) {
-    CUTIS_TRY(from, fromLinearRec709(space, "--colorspace"));
+    CUTIS_TRY(from, fromLinearRec709(space, kColorSpaceChoice));
     fromLinear_ = std::move(from);
     if (!source_.image) return {};
     CUTIS_TRY(to, toLinearRec709(source_.colorSpace, source_.name));

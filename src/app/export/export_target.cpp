@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/choice_place.h"
 #include "src/app/export/overwrite_protection.h"
 #include "src/color/color_space.h"
 #include "src/files/io/atomic_write.h"
@@ -10,8 +11,6 @@
 
 namespace cutis {
 namespace {
-
-constexpr char kSpacePlace[] = "--colorspace";
 
 std::string usualSpace(SampleType type) {
   return isInteger(type) ? "sRGB" : "Linear Rec.709";
@@ -41,7 +40,7 @@ Status checkPictureTarget(const ExportTarget& target) {
   CUTIS_CHECK(checkIsNoInput(target));
   CUTIS_CHECK(checkImageOutput(target.path, type));
   if (!target.colorSpace.empty()) {
-    CUTIS_CHECK(canonicalColorSpace(target.colorSpace, kSpacePlace));
+    CUTIS_CHECK(canonicalColorSpace(target.colorSpace, kColorSpaceChoice));
   }
   return {};
 }
@@ -57,7 +56,7 @@ Result<PictureEncoding> encodingFor(const ExportTarget& target, const ImageHeade
   CUTIS_TRY(type, sampleTypeFor(target, image));
   PictureEncoding encoding = {type, usualSpace(type)};
   if (!target.colorSpace.empty()) {
-    CUTIS_TRY(space, canonicalColorSpace(target.colorSpace, kSpacePlace));
+    CUTIS_TRY(space, canonicalColorSpace(target.colorSpace, kColorSpaceChoice));
     encoding.colorSpace = space;
   } else if (image != nullptr && isInteger(image->sourceType) == isInteger(type)) {
     encoding.colorSpace = imageSpace;

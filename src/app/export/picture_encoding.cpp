@@ -1,5 +1,6 @@
 #include "src/app/export/picture_encoding.h"
 
+#include "core/base/choice_place.h"
 #include "core/base/parallel.h"
 #include "src/color/color_space.h"
 
@@ -29,7 +30,7 @@ Status encodeTile(const std::vector<Plane>& linear, const ColorConverter& conver
 Result<std::vector<Plane>> encodePicture(const std::vector<Plane>& linear, const std::string& space,
                                          const std::shared_ptr<TileStore>& store,
                                          const JobContext& context) {
-  CUTIS_TRY(convert, fromLinearRec709(space, "--colorspace"));
+  CUTIS_TRY(convert, fromLinearRec709(space, kColorSpaceChoice));
   const Plane& size = linear.front();
   std::vector<Plane> encoded;
   for (std::size_t c = 0; c < linear.size(); ++c) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/echoed_text.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/images/capture/mask_file.h"
@@ -108,7 +109,7 @@ Status loadEditMask(const EditOptions& options, int width, int height, const std
                     const std::shared_ptr<TileStore>& store, const JobContext& context,
                     Edit& edit) {
   if (options.mask.empty()) return {};
-  CUTIS_TRY(mask, readMask(options.mask, width, height, "'" + subject + "'", store, context));
+  CUTIS_TRY(mask, readMask(options.mask, width, height, inQuotes(subject), store, context));
   edit.mask = mask;
   return {};
 }

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "core/base/choice_place.h"
+#include "core/base/echoed_text.h"
 #include "core/base/parallel.h"
 #include "core/spectra/colorimetry.h"
 #include "src/images/capture/mask_file.h"
@@ -15,10 +17,10 @@ namespace {
 
 Status checkRig(const Rig& rig) {
   if (rig.camera.isObserver && rig.lights.size() == 1) return {};
-  return usageError("--rig",
+  return usageError(kRigChoice,
                     "a single image needs a rig with a colour-matching observer and one "
-                    "light, which '" +
-                        rig.name + "' is not; use the rig 'albedo' or name a capture");
+                    "light, which " +
+                        inQuotes(rig.name) + " is not; use the rig 'albedo' or name a capture");
 }
 
 Result<std::array<std::size_t, 3>> colorChannels(const ImageHeader& image,
@@ -50,7 +52,7 @@ struct Conversion {
 Result<Conversion> conversionFor(const Image& image, const AlbedoOptions& options,
                                  const RgbConversionLookup& lookup, const std::string& place) {
   if (!options.colorSpace.empty()) {
-    CUTIS_TRY(given, lookup(options.colorSpace, "--colorspace"));
+    CUTIS_TRY(given, lookup(options.colorSpace, kColorSpaceChoice));
     return Conversion{options.colorSpace, given};
   }
   const bool says = !image.colorSpace.empty();
@@ -58,8 +60,8 @@ Result<Conversion> conversionFor(const Image& image, const AlbedoOptions& option
   const auto found = lookup(space, place);
   if (found) return Conversion{space, found.value()};
   if (!found.failed() || !says) return found.failure();
-  return inputError(place, "the file says that its colours are '" + space +
-                               "', which is not known; name their colour space, for example " +
+  return inputError(place, "the file says that its colours are " + inQuotes(space) +
+                               ", which is not known; name their colour space, for example " +
                                defaultSpace(image.sourceType));
 }
 
@@ -151,7 +153,7 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   CUTIS_TRY(conversion, conversionFor(image, options, toLinearRec709, place));
   Plane mask;
   if (!options.mask.empty()) {
-    CUTIS_TRY(read, readMask(options.mask, image.width, image.height, "'" + place + "'", store,
+    CUTIS_TRY(read, readMask(options.mask, image.width, image.height, inQuotes(place), store,
                              context.child(0.7, 0.75)));
     mask = read;
   }

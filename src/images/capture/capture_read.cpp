@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "core/base/parallel.h"
 #include "src/files/io/file_extension.h"
 #include "src/images/capture/capture_file.h"
@@ -100,15 +101,15 @@ class CaptureReader {
     }
     if (header.width == width_ && header.height == height_) return {};
     return inputError(entry.path.string(),
-                      "the photograph is " + sizeText(header.width, header.height) + " but '" +
-                          manifest_.photographs.front().file + "' is " + sizeText(width_, height_) +
-                          "; all photographs must have the same size");
+                      "the photograph is " + sizeText(header.width, header.height) + " but " +
+                          inQuotes(manifest_.photographs.front().file) + " is " +
+                          sizeText(width_, height_) + "; all photographs must have the same size");
   }
 
   Status readTheMask() {
     if (manifest_.mask.empty()) return {};
     CUTIS_TRY(mask, readMask(manifest_.mask, width_, height_,
-                             "'" + manifest_.photographs.front().file + "'", store_,
+                             inQuotes(manifest_.photographs.front().file), store_,
                              context_.child(0.9, 0.95)));
     mask_ = mask;
     return {};

@@ -87,6 +87,10 @@ Status checkLayout(const OIIO::ImageSpec& spec, const std::string& place) {
   return {};
 }
 
+Error noMemory(const std::string& place) {
+  return resourceError(place, "not enough memory for the image; use a smaller one");
+}
+
 Rect rectOf(int x, int y, int width, int height) {
   return {x, y, x + width, y + height};
 }
@@ -108,9 +112,7 @@ struct ImageReader::Chunks {
 };
 
 Error ImageReader::damaged(const std::string& reason) const {
-  return inputError(place_, "the " + std::string(imageFormat(kind_).name) +
-                                " file is damaged or cut off (" + oiioReason(reason, place_) +
-                                "); get a sound copy");
+  return readingError(reason, std::string(imageFormat(kind_).name), place_);
 }
 
 Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
@@ -139,6 +141,8 @@ Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
     if (kind == ImageFileKind::openExr) {
       reader.partCount_ = std::max(1, spec.get_int_attribute("oiio:subimages", 1));
     }
+  } catch (const std::bad_alloc&) {
+    return noMemory(reader.place_);
   } catch (const std::exception& error) {
     return reader.damaged(error.what());
   }
@@ -170,6 +174,8 @@ Result<ImagePart> ImageReader::part(int index) try {
     part.window = rectOf(spec.full_x, spec.full_y, spec.full_width, spec.full_height);
   }
   return part;
+} catch (const std::bad_alloc&) {
+  return noMemory(place_);
 } catch (const std::exception& error) {
   return damaged(error.what());
 }
@@ -209,6 +215,8 @@ Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::vector<
   const std::string message = input_->geterror();
   if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
   return {};
+} catch (const std::bad_alloc&) {
+  return noMemory(place_);
 } catch (const std::exception& error) {
   return damaged(error.what());
 }
@@ -284,7 +292,7 @@ Result<std::vector<Plane>> ImageReader::read(const ImagePart& part, std::span<co
   }
   return planes;
 } catch (const std::bad_alloc&) {
-  return resourceError(place_, "not enough memory for the image; use a smaller one");
+  return noMemory(place_);
 }
 
 }  // namespace cutis

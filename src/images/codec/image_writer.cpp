@@ -4,6 +4,7 @@
 
 #include "core/base/half.h"
 #include "core/base/parallel.h"
+#include "src/files/io/error_stream.h"
 #include "src/images/codec/oiio_text.h"
 
 namespace cutis {
@@ -158,6 +159,7 @@ Status writeParts(const std::filesystem::path& file, const std::string& place, I
                   SampleType type, const std::vector<OutputPart>& parts,
                   const std::vector<OIIO::ImageSpec>& plain, const JobContext& context) try {
   setUpOpenImageIO();
+  const LibrarySilence silence;
   Writer writer(file, place, kind, type);
   CUTIS_CHECK(openWithMetadata(writer, parts, plain, place, context));
   std::int64_t totalRows = 0, doneRows = 0;
