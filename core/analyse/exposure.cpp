@@ -17,6 +17,8 @@ constexpr int kStepsPerOctave = 6;
 constexpr int kDarkestStep = -3 * kStepsPerOctave;
 constexpr int kBrightestStep = kStepsPerOctave;
 constexpr double kEqualShares = 0.01;
+// A texture is left as it is unless this share of it more becomes skin.
+constexpr double kWorthChanging = 0.05;
 
 double scaleOf(int step) {
   return std::exp2(static_cast<double>(step) / kStepsPerOctave);
@@ -46,6 +48,8 @@ Result<ExposureChoice> chooseExposure(const Measurements& measurements, const Pi
   CUTIS_TRY(sample, samplePixels(plain, nullptr, kMostPixels, context));
   if (sample.count == 0) return ExposureChoice{};
   sample.values = PixelBuffer<float>(solver.valueCount(), sample.count);
+  const ExposureChoice unchanged = {1.0, insideShare(sample, 1.0, measurements.rig, solver)};
+  if (unchanged.inside > 1.0 - kWorthChanging) return unchanged;
   constexpr auto count = static_cast<std::size_t>(kBrightestStep - kDarkestStep + 1);
   std::vector<ExposureChoice> choices(count);
   CUTIS_CHECK(parallelFor(count, context, [&](std::size_t i) -> Status {
@@ -56,6 +60,7 @@ Result<ExposureChoice> chooseExposure(const Measurements& measurements, const Pi
   double most = 0.0;
   for (const ExposureChoice& choice : choices)
     most = std::max(most, choice.inside);
+  if (most < unchanged.inside + kWorthChanging) return unchanged;
   ExposureChoice best;
   double distance = std::numeric_limits<double>::infinity();
   for (const ExposureChoice& choice : choices) {

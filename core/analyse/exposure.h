@@ -16,8 +16,9 @@ struct ExposureChoice {
 };
 
 // Among scales from an eighth to twice, six to an octave, the one that puts most of a few thousand
-// regularly sampled pixels inside the profile's gamut. Scales that differ by less than one pixel in
-// a hundred count as equal: of these, the one nearest to 1. Without pixels to solve it is 1.
+// regularly sampled pixels inside the profile's gamut; but 1, where no other brings at least five
+// pixels in a hundred more there. Scales that differ by less than one pixel in a hundred count as
+// equal: of these, the one nearest to 1. Without pixels to solve it is 1.
 // The measurements' own exposure does not count. Deterministic; about a second for the exact fit.
 Result<ExposureChoice> chooseExposure(const Measurements& measurements, const PixelSolver& solver,
                                       const JobContext& context);

@@ -5,6 +5,8 @@
 
 #include <hwy/highway.h>
 
+#include "core/base/echoed_text.h"
+
 namespace cutis {
 namespace {
 
@@ -46,8 +48,8 @@ Status pinInstructionSet(const std::string& name) {
     }
     known += known.empty() ? entry.name : std::string(", ") + entry.name;
   }
-  return usageError("CUTIS_ISA", "unknown instruction set '" + name + "'; use one of " + known +
-                                     " or leave it unset");
+  return usageError("CUTIS_ISA", "unknown instruction set " + inQuotes(name) + "; use one of " +
+                                     known + " or leave it unset");
 }
 
 }  // namespace cutis

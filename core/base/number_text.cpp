@@ -1,5 +1,6 @@
 #include "core/base/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -51,6 +52,25 @@ std::string shortScientific(double value) {
   while (digits + 1 < text.size() && text[digits] == '0')
     text.erase(digits, 1);
   return text;
+}
+
+std::string percentText(double share, int digits) {
+  if (!std::isfinite(share)) return "-";
+  const double percent = 100.0 * share;
+  const double size = std::abs(percent);
+  // Digits before the point are all written; those behind it as far as they count.
+  const int whole = size < 1.0 ? 0 : static_cast<int>(std::floor(std::log10(size))) + 1;
+  const int zeros =
+      size > 0.0 && size < 1.0 ? -static_cast<int>(std::floor(std::log10(size))) - 1 : 0;
+  std::string text =
+      converted(percent, std::chars_format::fixed, std::clamp(digits - whole + zeros, 0, 30));
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  // 99.6 % in two digits is not all of them.
+  if (percent < 100.0 && text == "100") return percentText(share, digits + 1);
+  return text + " %";
 }
 
 double roundedTo(double value, int digits) {

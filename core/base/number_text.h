@@ -22,6 +22,10 @@ std::string fixedNumber(double value, int decimals);
 // "3.82e-6": two decimals and no zeros in the exponent; "0" for zero, "-" for what is not finite.
 std::string shortScientific(double value);
 
+// "100 %", "0.52 %", "12 %": a share as people write it, with `digits` significant digits where it
+// has decimals, never with an exponent, and "100 %" only for all; "-" for what is not finite.
+std::string percentText(double share, int digits);
+
 // The number that formatNumber(value, digits) reads back as.
 double roundedTo(double value, int digits);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/base/echoed_text.h"
 #include "core/neural/network_pipeline.h"
 #include "core/skin/profile/profile_signature.h"
 
@@ -74,8 +75,8 @@ Result<NetworkChannels> matchNetwork(const ChromophoreNetwork& network, const Pr
   return inputError(
       place,
       "the network was trained for " +
-          (profileMatches ? "other lights or another camera than those of rig '" + rig.name + "'"
-                          : "another profile than '" + profile.name + "'"));
+          (profileMatches ? "other lights or another camera than those of rig " + inQuotes(rig.name)
+                          : "another profile than " + inQuotes(profile.name)));
 }
 
 std::unique_ptr<const PixelSolver> makeNetworkSolver(

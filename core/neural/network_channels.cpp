@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/base/echoed_text.h"
 #include "core/rig/narrowband.h"
 
 namespace cutis {
@@ -24,8 +25,8 @@ Result<NetworkChannels> paperNetworkChannels(const Rig& rig, const std::string& 
   if (!search.hasNarrowband()) {
     return inputError(place,
                       "the paper's channels sb and sg are made of lights white+blue and "
-                      "white+green that mix primaries of white, which rig '" +
-                          rig.name + "' does not have; take all of its channels");
+                      "white+green that mix primaries of white, which rig " +
+                          inQuotes(rig.name) + " does not have; take all of its channels");
   }
   return NetworkChannels{responseRows(rig), search.fromRig, {"r", "g", "b", "sb", "sg"}};
 }

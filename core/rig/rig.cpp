@@ -5,9 +5,13 @@
 #include <set>
 
 #include "core/base/content_hash.h"
+#include "core/base/echoed_text.h"
 
 namespace cutis {
 namespace {
+
+// As a standard deviation; the perfect diffuser reads 1.
+constexpr double kMostNoise = 1.0;
 
 std::string lightList(const Rig& rig) {
   std::string list;
@@ -43,12 +47,12 @@ Status validate(const Rig& rig, const std::string& place) {
   std::set<std::string> names;
   for (const RigLight& light : rig.lights) {
     if (!names.insert(light.name).second) {
-      return inputError(place,
-                        "two lights are called '" + light.name + "'; give each its own name");
+      return inputError(
+          place, "two lights are called " + inQuotes(light.name) + "; give each its own name");
     }
     if (!isPower(light.power) || light.power.sum() <= 0.0) {
-      return inputError(place, "light '" + light.name +
-                                   "' has negative, missing or no power between 300 and 1000 nm; "
+      return inputError(place, "light " + inQuotes(light.name) +
+                                   " has negative, missing or no power between 300 and 1000 nm; "
                                    "correct its spectrum or mix");
     }
   }
@@ -60,8 +64,9 @@ Status validate(const Rig& rig, const std::string& place) {
     }
   }
   for (const double deviation : {rig.noise.read, rig.noise.proportional}) {
-    if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
-      return inputError(place, "noise must be finite and not negative");
+    if (!(deviation >= 0.0 && deviation <= kMostNoise)) {
+      return inputError(
+          place, "noise must be finite and not negative, and at most 1, the perfect diffuser");
     }
   }
   return {};
@@ -70,18 +75,19 @@ Status validate(const Rig& rig, const std::string& place) {
 Result<Rig> withLights(const Rig& rig, const std::vector<std::string>& names,
                        const std::string& place) {
   if (names.empty()) {
-    return usageError(place, "no light is named; rig '" + rig.name + "' has " + lightList(rig));
+    return usageError(place,
+                      "no light is named; rig " + inQuotes(rig.name) + " has " + lightList(rig));
   }
   Rig selected = rig;
   selected.lights.clear();
   for (const std::string& name : names) {
     const int index = rig.lightIndex(name);
     if (index < 0) {
-      return inputError(
-          place, "rig '" + rig.name + "' has no light '" + name + "'; it has " + lightList(rig));
+      return inputError(place, "rig " + inQuotes(rig.name) + " has no light " + inQuotes(name) +
+                                   "; it has " + lightList(rig));
     }
     if (selected.lightIndex(name) >= 0) {
-      return usageError(place, "light '" + name + "' is named twice");
+      return usageError(place, "light " + inQuotes(name) + " is named twice");
     }
     selected.lights.push_back(rig.lights[static_cast<std::size_t>(index)]);
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/content_hash.h"
+#include "core/base/echoed_text.h"
 #include "core/fit/free/free_solver.h"
 #include "core/fit/network_solver.h"
 #include "core/fit/refined/refined_solver.h"
@@ -89,10 +90,10 @@ Result<std::shared_ptr<const PixelSolver>> Engine::networkSolver(
   if (given == nullptr) {
     CUTIS_TRY(found, network(model.profile(), rig));
     if (found == nullptr) {
-      return inputError(advice_.missingPlace, "no network is built in for rig '" + rig.name +
-                                                  "' with these lights and profile '" +
-                                                  model.profile().name + "'; " +
-                                                  whatToDo(model.profile(), rig));
+      return inputError(advice_.missingPlace,
+                        "no network is built in for rig " + inQuotes(rig.name) +
+                            " with these lights and profile " + inQuotes(model.profile().name) +
+                            "; " + whatToDo(model.profile(), rig));
     }
     given = found;
   }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/echoed_text.h"
 #include "src/files/io/suggestion.h"
 
 namespace cutis {
@@ -30,7 +31,7 @@ Result<FitMethod> fitMethodNamed(const std::string& name, const std::string& pla
     if (name == knownName) return method;
     known.emplace_back(knownName);
   }
-  return usageError(place, "unknown method '" + name + "'; " + suggestName(name, known));
+  return usageError(place, "unknown method " + inQuotes(name) + "; " + suggestName(name, known));
 }
 
 }  // namespace cutis

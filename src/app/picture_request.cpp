@@ -1,5 +1,6 @@
 #include "src/app/picture_request.h"
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "core/render/relight.h"
 #include "src/files/spectral_library.h"
@@ -13,15 +14,16 @@ Result<PictureRows> pictureRows(const PictureRequest& request, const PicturePlac
   if (!eyes.isObserver) {
     const SpectrumRows rows = channelRows(light, eyes.sensor);
     if ((rows == 0.0).all()) {
-      return inputError(places.light, "camera '" + request.observer + "' sees nothing of light '" +
-                                          request.light + "'; choose others");
+      return inputError(places.light, "camera " + inQuotes(request.observer) +
+                                          " sees nothing of light " + inQuotes(request.light) +
+                                          "; choose others");
     }
     return PictureRows{rows, false};
   }
   if (!(eyes.sensor.sensitivity.row(1).transpose() * light).any()) {
     return inputError(places.light,
-                      "light '" + request.light +
-                          "' has no visible power; choose a band for ultraviolet or infrared");
+                      "light " + inQuotes(request.light) +
+                          " has no visible power; choose a band for ultraviolet or infrared");
   }
   CUTIS_TRY(daylight, loadLight({"D65", {}, places.light}));
   CUTIS_TRY(standard, loadCamera({"cie1931", {}, places.light}));
@@ -36,7 +38,7 @@ Result<Band> parseBand(const std::string& text, const std::string& place) {
   const auto from = parseNumber(text.substr(0, colon));
   const auto to = colon == std::string::npos ? std::nullopt : parseNumber(text.substr(colon + 1));
   if (!from || !to) {
-    return usageError(place, "'" + text + "' is not a band; write uv, nir or FROM:TO in nm");
+    return usageError(place, inQuotes(text) + " is not a band; write uv, nir or FROM:TO in nm");
   }
   const Band band = bandBetween(*from, *to);
   if (!(*from <= *to) || band.count() <= 0) {

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "core/base/echoed_text.h"
 #include "src/files/io/suggestion.h"
 
 namespace cutis {
@@ -56,14 +57,14 @@ Status checkCommand(const CLI::App& app, const std::string& name) {
   for (const CLI::App* command : commandsOf(app))
     known.push_back(command->get_name());
   if (std::find(known.begin(), known.end(), name) != known.end()) return {};
-  return usageError("", "unknown command '" + name + "'; " + suggestName(name, known));
+  return usageError("", "unknown command " + inQuotes(name) + "; " + suggestName(name, known));
 }
 
 Status checkOption(const CLI::App& command, const std::string& name) {
   const std::vector<std::string> known = optionNames(command);
   if (std::find(known.begin(), known.end(), name) != known.end()) return {};
   if (isLater(command.get_name(), name)) return usageError(name, kNotInThisVersion);
-  return usageError(name, "unknown option; " + suggestName(name, known));
+  return usageError(shortened(name), "unknown option; " + suggestName(name, known));
 }
 
 }  // namespace
@@ -89,9 +90,7 @@ Error usageErrorOf(const CLI::App& app, const CLI::ParseError& error) {
   const std::string name = chosen.empty() ? std::string() : chosen.front()->get_name();
   const std::string help = "see cutis-cli " + (name.empty() ? "" : name + " ") + "--help";
   // "SOURCE is required", "--rig: 1 required TEXT missing", "The following argument was not …"
-  std::string reason = error.what();
-  std::replace(reason.begin(), reason.end(), '\n', ' ');
-  return usageError(name, reason + "; " + help);
+  return usageError(name, shortened(error.what()) + "; " + help);
 }
 
 }  // namespace cutis

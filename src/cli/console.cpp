@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/echoed_text.h"
+#include "src/files/io/error_stream.h"
 #include "src/files/io/platform.h"
 
 namespace cutis {
@@ -14,19 +15,12 @@ constexpr std::chrono::milliseconds kBetweenUpdates(100);
 constexpr double kFirstEstimateSeconds = 1.0;
 constexpr double kFirstEstimateFraction = 0.02;
 
-std::string onOneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-  return text;
-}
-
 }  // namespace
 
 Console::Console() : isTerminal_(standardErrorIsTerminal()), start_(Clock::now()), shown_(start_) {}
 
 void Console::write(const std::string& text) {
-  std::fputs(text.c_str(), stderr);
-  std::fflush(stderr);
+  writeError(text);
 }
 
 void Console::clearLine() {

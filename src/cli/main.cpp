@@ -1,7 +1,9 @@
 #include "src/cli/program.h"
+#include "src/files/io/error_stream.h"
 #include "src/files/io/last_words.h"
 
 int main(int argc, char** argv) {
+  cutis::keepStandardStreams();
   cutis::endWellWithoutMemory("cutis-cli");
   return cutis::runProgram(argc, argv);
 }

@@ -1,5 +1,6 @@
 #include "src/cli/program.h"
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -14,6 +15,7 @@
 
 #include <tbb/global_control.h>
 
+#include "core/base/choice_place.h"
 #include "core/base/instruction_set.h"
 #include "src/cli/command.h"
 #include "src/cli/command_line.h"
@@ -111,9 +113,23 @@ Status run(const Invocation& invocation, Console& console) {
   return invocation.run(session);
 }
 
+// What was chosen is chosen by options here.
+std::string optionAt(const std::string& place) {
+  constexpr std::array<std::pair<const char*, const char*>, 5> kOptions = {
+      {{kColorSpaceChoice, "--colorspace"},
+       {kExposureChoice, "--exposure"},
+       {kLightsChoice, "--lights"},
+       {kRigChoice, "--rig"},
+       {kSurfaceChoice, "--specular"}}};
+  for (const auto& [choice, option] : kOptions) {
+    if (place == choice) return option;
+  }
+  return place;
+}
+
 int report(const Failure& failure, Console& console) {
   if (const auto* error = std::get_if<Error>(&failure)) {
-    console.error(error->text());
+    console.error(Error{error->kind, optionAt(error->place), error->message}.text());
     return exitStatus(error->kind);
   }
   console.error("interrupted");

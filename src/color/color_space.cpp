@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/echoed_text.h"
 #include "src/color/builtin_space.h"
 #include "src/color/ocio_config.h"
 #include "src/files/io/suggestion.h"
@@ -45,8 +46,8 @@ Result<ColorSpace> namedColorSpace(const std::string& name, const std::string& p
   }
   if (ours && !marked) return builtInSpaceAt(*ours);
   if (config.failed()) return config.failure();
-  return inputError(place,
-                    "unknown colour space '" + name + "'; " + suggestName(name, colorSpaceNames()));
+  return inputError(place, "unknown colour space " + inQuotes(name) + "; " +
+                               suggestName(name, colorSpaceNames()));
 }
 
 Result<ColorConverter> toLinearRec709(const std::string& name, const std::string& place) {

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <OpenColorIO/OpenColorIO.h>
 
+#include "core/base/echoed_text.h"
 #include "core/spectra/rgb_primaries.h"
 #include "src/color/ocio_cycles.h"
 
@@ -101,14 +102,14 @@ Status checkFile(const std::string& path) {
   std::error_code error;
   const std::string place = "$OCIO";
   if (!fs::exists(path, error)) {
-    return inputError(place, "there is no file '" + path + "'; correct or unset $OCIO");
+    return inputError(place, "there is no file " + inQuotes(path) + "; correct or unset $OCIO");
   }
   if (!fs::is_regular_file(path, error)) {
-    return inputError(place, "'" + path + "' is not a file; name a config.ocio or unset $OCIO");
+    return inputError(place, inQuotes(path) + " is not a file; name a config.ocio or unset $OCIO");
   }
   if (fs::file_size(path, error) > kLargestConfigBytes) {
-    return inputError(place, "'" + path +
-                                 "' is larger than 64 MiB and cannot be a configuration; "
+    return inputError(place, inQuotes(path) +
+                                 " is larger than 64 MiB and cannot be a configuration; "
                                  "correct or unset $OCIO");
   }
   return {};
@@ -142,7 +143,7 @@ struct OcioConfig::Impl {
                                    const std::string& place) const try {
     return converterOf(processor(name, toLinear));
   } catch (const std::exception& error) {
-    return inputError(place, "the configuration of $OCIO cannot convert '" + name + "' (" +
+    return inputError(place, "the configuration of $OCIO cannot convert " + inQuotes(name) + " (" +
                                  oneLine(error.what()) +
                                  "); correct it, unset $OCIO or use another colour space");
   }
@@ -169,7 +170,7 @@ Result<std::shared_ptr<const OcioConfig>> OcioConfig::fromEnvironment() {
     loadedPath = path;
     return loaded;
   } catch (const std::exception& error) {
-    return inputError("$OCIO", "'" + path + "' is not a configuration that OpenColorIO reads (" +
+    return inputError("$OCIO", inQuotes(path) + " is not a configuration that OpenColorIO reads (" +
                                    oneLine(error.what()) + "); correct or unset $OCIO");
   }
 }

@@ -10,9 +10,11 @@
 #include <QSettings>
 #include <QTimer>
 
+#include "core/base/echoed_text.h"
 #include "core/base/instruction_set.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/fit_choice.h"
+#include "src/files/io/error_stream.h"
 #include "src/files/io/interruption.h"
 #include "src/files/io/last_words.h"
 #include "src/files/io/platform.h"
@@ -48,7 +50,7 @@ int statusOf(const cutis::Error& error) {
 }
 
 int fail(int status, const std::string& sentence) {
-  std::fprintf(stderr, "cutis: %s\n", sentence.c_str());
+  cutis::writeError("cutis: " + cutis::onOneLine(sentence) + "\n");
   return status;
 }
 
@@ -152,6 +154,7 @@ bool hasDisplay() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  cutis::keepStandardStreams();
   cutis::endWellWithoutMemory("cutis");
 #ifdef Q_OS_LINUX
   if (!hasDisplay()) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "core/skin/profile/chromophore_table.h"
 #include "core/skin/profile/parameter_names.h"
@@ -28,19 +29,20 @@ Result<Columns> columnsOf(const CsvRow& header, const std::string& place) {
   for (std::size_t c = 0; c < header.fields.size(); ++c) {
     const auto parameter = parameterByName(header.fields[c]);
     if (!parameter) {
-      return inputError(place, "unknown column '" + std::string(header.fields[c]) + "'; " +
+      return inputError(place, "unknown column " + inQuotes(std::string(header.fields[c])) + "; " +
                                    suggestName(std::string(header.fields[c]), knownNames()));
     }
     if (found[*parameter]) {
-      return inputError(place, "the column '" + std::string(header.fields[c]) + "' appears twice");
+      return inputError(place,
+                        "the column " + inQuotes(std::string(header.fields[c])) + " appears twice");
     }
     found[*parameter] = true;
     columns[*parameter] = c;
   }
   for (const Parameter parameter : kParameters) {
     if (!found[parameter]) {
-      return inputError(place,
-                        "the column '" + std::string(parameterName(parameter)) + "' is missing");
+      return inputError(
+          place, "the column " + inQuotes(std::string(parameterName(parameter))) + " is missing");
     }
   }
   return columns;
@@ -62,7 +64,8 @@ Result<ParameterVector> parseParameters(std::span<const std::string_view> fields
     const std::string name(parameterName(parameter));
     const auto number = parseNumber(field);
     if (!number || !std::isfinite(*number)) {
-      return Error{kind, place, name + " is '" + std::string(field) + "', which is not a number"};
+      return Error{kind, place,
+                   name + " is " + inQuotes(std::string(field)) + ", which is not a number"};
     }
     const double most = axes[parameter].maximum;
     if (*number < 0.0 || *number > most) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/echoed_text.h"
 #include "core/skin/profile/chromophore_table.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/text_file.h"
@@ -188,8 +189,8 @@ Result<RecipeFile> loadRecipe(const std::string& nameOrPath, const std::string& 
     return parseRecipe(*resource("sample/recipe.json"), "built-in recipe sample");
   }
   if (nameOrPath.find('/') == std::string::npos && !nameOrPath.ends_with(".json")) {
-    return inputError(place, "unknown recipe '" + nameOrPath +
-                                 "'; the built-in one is sample, or name a JSON file");
+    return inputError(place, "unknown recipe " + inQuotes(nameOrPath) +
+                                 "; the built-in one is sample, or name a JSON file");
   }
   CUTIS_TRY(text, readTextFile(nameOrPath));
   return parseRecipe(text, nameOrPath);

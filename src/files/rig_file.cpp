@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/resources.h"
@@ -17,6 +18,9 @@ namespace {
 
 constexpr int kNewestRig = 1;
 constexpr std::array<const char*, 3> kPrimaryNames = {"R", "G", "B"};
+
+// Only ratios of a mix count; beyond these they are lost in rounding.
+constexpr double kLeastShare = 1e-6, kMostShare = 1e6;
 
 using Primaries = std::optional<std::array<Spectrum, 3>>;
 
@@ -42,7 +46,9 @@ Result<RigLight> parseLight(const JsonValue& object, const fs::path& folder,
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
     CUTIS_TRY(share, mix.number(kPrimaryNames[index], 0.0));
-    if (share < 0.0) return mix.error(kPrimaryNames[index], "zero or positive");
+    if (share != 0.0 && !(share >= kLeastShare && share <= kMostShare)) {
+      return mix.error(kPrimaryNames[index], "zero or positive, from 1e-6 to 1e6");
+    }
     (*light.mix)[k] = share;
     light.power += share * (*primaries)[index];
   }
@@ -104,7 +110,7 @@ Result<Rig> loadRig(const std::string& nameOrPath, const std::string& folder,
     return parseRig(root, {});
   }
   if (nameOrPath.find('/') == std::string::npos && !nameOrPath.ends_with(".json")) {
-    return inputError(place, "unknown rig '" + nameOrPath + "'; " +
+    return inputError(place, "unknown rig " + inQuotes(nameOrPath) + "; " +
                                  suggestName(nameOrPath, rigNames()) + ", or name a JSON file");
   }
   const fs::path path = fs::path(folder) / nameOrPath;

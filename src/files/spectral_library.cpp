@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/resources.h"
 
@@ -55,9 +56,9 @@ Result<SpectralTable> loadTable(const Reference& reference, const char* what,
   const fs::path path = reference.folder / reference.name;
   std::error_code ignored;
   if (!looksLikePath(reference.name) && !fs::exists(path, ignored)) {
-    return inputError(reference.place, std::string("unknown ") + what + " '" + reference.name +
-                                           "'; " + suggestName(reference.name, known) +
-                                           ", or name a CSV file");
+    return inputError(reference.place,
+                      std::string("unknown ") + what + " " + inQuotes(reference.name) + "; " +
+                          suggestName(reference.name, known) + ", or name a CSV file");
   }
   return readSpectralCsv(path);
 }

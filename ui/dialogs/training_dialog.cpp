@@ -41,7 +41,7 @@ TrainingDialog::TrainingDialog(QWidget* parent)
   status_->setWordWrap(true);
   use_->setProperty("primary", true);
   use_->setToolTip(tr("Fit this document with it; kept until Cutis is closed"));
-  save_->setToolTip(tr("For cutis-cli fit --method network --weights"));
+  save_->setToolTip(tr("A file for fits by networks of this rig and profile"));
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(theme::kDoubleSpace, theme::kDoubleSpace, theme::kDoubleSpace,

@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QPainter>
 
+#include "core/base/number_text.h"
 #include "ui/plot/window_theme.h"
 #include "ui/theme/theme.h"
 
@@ -23,7 +24,7 @@ bool canBeDrawn(double error) {
 }
 
 std::string percentWords(double error) {
-  return LossPlot::tr("%1 %").arg(QLocale().toString(100 * error, 'g', 2)).toStdString();
+  return percentText(error, 2);
 }
 
 }  // namespace

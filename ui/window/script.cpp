@@ -5,6 +5,7 @@
 
 #include <QPixmap>
 
+#include "core/base/echoed_text.h"
 #include "core/skin/profile/parameter.h"
 #include "src/app/fit_method.h"
 #include "src/files/io/text_file.h"
@@ -30,7 +31,7 @@ struct Call {
   std::string place;
 
   Error wrong(const QString& demand) const {
-    return inputError(place, "'" + words.join(' ').toStdString() + "': " + demand.toStdString());
+    return inputError(place, inQuotes(words.join(' ').toStdString()) + ": " + demand.toStdString());
   }
 };
 

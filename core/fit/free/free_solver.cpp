@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/echoed_text.h"
 #include "core/fit/assumed_noise.h"
 #include "core/fit/free/free_search.h"
 #include "core/fit/refined/refined_solver.h"
@@ -172,8 +173,9 @@ class FreeSolver final : public PixelSolver {
 Status checkChannelsDecide(const Rig& rig, const FitOptions& options, const std::string& place) {
   const int there = independentChannelCount(rig), wanted = unknownCount(options);
   if (there >= wanted) return {};
-  return usageError(place, "the lights of rig '" + rig.name + "' give " + std::to_string(there) +
-                               " independent channels where " + std::to_string(wanted) +
+  return usageError(place, "the lights of rig " + inQuotes(rig.name) + " give " +
+                               std::to_string(there) + " independent channels where " +
+                               std::to_string(wanted) +
                                " values are to be found; photograph under more lights, or leave "
                                "this out");
 }

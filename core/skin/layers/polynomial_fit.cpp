@@ -80,13 +80,14 @@ Eigen::MatrixXd powersOfChebyshev(int terms) {
 // One axis: the scale whose polynomials come closest to the columns of `values`, and the matrix
 // that turns values into powers of z.
 struct AxisFit {
-  AbsorptionScale<double> scale;
+  AbsorptionScale<double> scale = {};
   Eigen::MatrixXd powers;
 };
 
-AxisFit fitAxis(const AbsorptionRange& range, double scattering,
-                const std::vector<double>& absorptions, int terms, const Eigen::MatrixXd& values) {
-  AxisFit best;
+Result<AxisFit> fitAxis(const AbsorptionRange& range, double scattering,
+                        const std::vector<double>& absorptions, int terms,
+                        const Eigen::MatrixXd& values) {
+  AxisFit best = {};
   double smallest = std::numeric_limits<double>::infinity();
   const auto count = static_cast<Eigen::Index>(absorptions.size());
   for (const double knee : kKnees) {
@@ -99,6 +100,10 @@ AxisFit fitAxis(const AbsorptionRange& range, double scattering,
       smallest = residual;
       best = {scale, powersOfChebyshev(terms) * solve};
     }
+  }
+  if (best.powers.size() == 0) {
+    return inputError("",
+                      "no reflectance can be computed for these layers; correct their constants");
   }
   return best;
 }
@@ -144,10 +149,10 @@ Result<LayerPolynomial<double>> fitLayerPolynomial(const TwoLayers& layers,
                                   layers.dermalScattering, epidermalSamples, dermalSamples},
                                  options));
   const Eigen::MatrixXd values = sampled.matrix();
-  const AxisFit rows =
-      fitAxis(epidermal, layers.epidermalScattering, epidermalSamples, kEpidermalTerms, values);
-  const AxisFit columns =
-      fitAxis(dermal, layers.dermalScattering, dermalSamples, kDermalTerms, values.transpose());
+  CUTIS_TRY(rows, fitAxis(epidermal, layers.epidermalScattering, epidermalSamples, kEpidermalTerms,
+                          values));
+  CUTIS_TRY(columns, fitAxis(dermal, layers.dermalScattering, dermalSamples, kDermalTerms,
+                             values.transpose()));
   const Eigen::MatrixXd powers = rows.powers * values * columns.powers.transpose();
   LayerPolynomial<double> polynomial;
   polynomial.epidermis = rows.scale;

@@ -9,6 +9,9 @@
 namespace cutis {
 namespace {
 
+// Squares of these and of their inverses are still numbers.
+constexpr double kLargest = 1e12, kLeastDeviation = 1e-12;
+
 // Below it two combinations of parameters would be known to a thousandth of their deviations: a
 // mistake, and too near to singular for single precision.
 constexpr double kSmallestEigenvalue = 1e-6;
@@ -17,12 +20,14 @@ Status validateParts(const Prior& prior, const std::string& place, const std::st
   for (const Parameter parameter : kParameters) {
     const std::string name(parameterName(parameter));
     const double mean = prior.mean[parameter], deviation = prior.deviation[parameter];
-    if (!std::isfinite(mean)) return inputError(place, prefix + "mean." + name + " must be finite");
+    if (!(std::abs(mean) <= kLargest)) {
+      return inputError(place, prefix + "mean." + name + " must be finite and at most 1e12");
+    }
     if (prior.isLog(parameter) && !(mean > 0.0)) {
       return inputError(place, prefix + "mean." + name + " must be positive on the log scale");
     }
-    if (!(deviation > 0.0 && std::isfinite(deviation))) {
-      return inputError(place, prefix + "sd." + name + " must be positive");
+    if (!(deviation >= kLeastDeviation && deviation <= kLargest)) {
+      return inputError(place, prefix + "sd." + name + " must be positive, from 1e-12 to 1e12");
     }
   }
   return {};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/echoed_text.h"
 #include "core/skin/profile/absorption.h"
 
 namespace cutis {
@@ -12,6 +13,10 @@ namespace {
 constexpr double kMaximumTableEntries = 1e7;
 // Far beyond any pigment; products of such numbers still fit into single precision.
 constexpr double kMaximumAbsorptionPerMm = 1e6;
+
+// From clear water to chalk and far beyond both; what transport computes holds between them.
+constexpr double kLeastScatteringPerMm = 1e-3, kMostScatteringPerMm = 1e4;
+constexpr double kLargestMaximum = 1e6;
 
 // A shift or a smoothing beyond it would be another chromophore.
 constexpr double kMaximumShiftNm = 100.0;
@@ -36,7 +41,8 @@ Status validateFurther(const Profile& profile, const std::string& place) {
     bool isNew = !own.name.empty();
     for (int j = 0; j < k; ++j)
       isNew = isNew && chromophoreOf(profile, j).name != own.name;
-    CUTIS_CHECK(require(isNew, place, "the name of a further chromophore, '" + own.name + "',",
+    CUTIS_CHECK(require(isNew, place,
+                        "the name of a further chromophore, " + inQuotes(own.name) + ",",
                         "that of no other parameter"));
     CUTIS_CHECK(require(static_cast<bool>(own.absorption), place, own.name + ".absorption",
                         "given, as a spectrum"));
@@ -49,8 +55,8 @@ Status validateParameters(const Profile& profile, const std::string& place) {
   for (int k = 0; k < parameterCount(profile); ++k) {
     const ParameterAxis& axis = axisOf(profile, k);
     const std::string field = "parameters." + chromophoreOf(profile, k).name;
-    CUTIS_CHECK(require(axis.maximum > 0.0 && std::isfinite(axis.maximum), place,
-                        field + ".maximum", "positive"));
+    CUTIS_CHECK(require(axis.maximum > 0.0 && axis.maximum <= kLargestMaximum, place,
+                        field + ".maximum", "positive and at most a million"));
     CUTIS_CHECK(require(axis.samples >= 2 && axis.samples <= 256, place, field + ".samples",
                         "between 2 and 256"));
     CUTIS_CHECK(require(axis.exponent >= 1 && axis.exponent <= 3, place, field + ".spacing",
@@ -143,19 +149,21 @@ Status validateScattering(const Profile& profile, const std::string& place) {
     CUTIS_CHECK(validateLaw(law.mie, place, field + ".mie_scattering"));
     return validateLaw(law.rayleigh, place, field + ".rayleigh_scattering");
   };
-  const auto isPositive = [&](const Spectrum& scattering, const std::string& field) {
-    return require(scattering.isFinite().all() && (scattering > 0.0).all(), place,
-                   field + ".reduced_scattering", "positive from 300 to 1000 nm");
+  const auto isPossible = [&](const Spectrum& scattering, const std::string& field) {
+    return require(scattering.isFinite().all() && (scattering >= kLeastScatteringPerMm).all() &&
+                       (scattering <= kMostScatteringPerMm).all(),
+                   place, field, "such that it scatters 0.001 to 10000 per mm from 300 to 1000 nm");
   };
   CUTIS_CHECK(lawIsValid(profile.epidermalScatteringLaw, "epidermis"));
-  CUTIS_CHECK(isPositive(epidermalScattering(profile), "epidermis"));
+  CUTIS_CHECK(isPossible(epidermalScattering(profile), "epidermis.mie_scattering"));
   if (profile.dermalScatteringLaw) {
     CUTIS_CHECK(lawIsValid(*profile.dermalScatteringLaw, "dermis"));
-    return isPositive(dermalScattering(profile), "dermis");
+    return isPossible(dermalScattering(profile), "dermis.mie_scattering");
   }
-  return require(
-      profile.dermalScatteringRatio > 0.0 && std::isfinite(profile.dermalScatteringRatio), place,
-      "dermis.scattering_ratio", "positive");
+  CUTIS_CHECK(
+      require(profile.dermalScatteringRatio > 0.0 && std::isfinite(profile.dermalScatteringRatio),
+              place, "dermis.scattering_ratio", "positive"));
+  return isPossible(dermalScattering(profile), "dermis.scattering_ratio");
 }
 
 Status validateLayers(const Profile& profile, const std::string& place) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/choice_place.h"
 #include "core/base/parallel.h"
 #include "core/render/render_picture.h"
 #include "src/app/open/photograph_part.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/choice_place.h"
 #include "src/app/export/overwrite_protection.h"
 #include "src/color/color_space.h"
 #include "src/files/io/atomic_write.h"
@@ -11,8 +12,6 @@
 
 namespace cutis {
 namespace {
-
-constexpr char kSpacePlace[] = "--colorspace";
 
 const ColorSpace& usualSpace(SampleType type) {
   return builtInColorSpace(isInteger(type) ? "sRGB" : "Linear Rec.709");
@@ -59,7 +58,7 @@ Status checkPictureTarget(const ExportTarget& target) {
   CUTIS_CHECK(checkIsNoInput(target));
   CUTIS_CHECK(checkImageOutput(target.path, type));
   if (!target.colorSpace.empty()) {
-    CUTIS_CHECK(canonicalColorSpace(target.colorSpace, kSpacePlace));
+    CUTIS_CHECK(canonicalColorSpace(target.colorSpace, kColorSpaceChoice));
   }
   return {};
 }
@@ -75,7 +74,7 @@ Result<PictureEncoding> encodingFor(const ExportTarget& target, const ImageHeade
   CUTIS_TRY(type, sampleTypeFor(target, image));
   PictureEncoding encoding = {type, usualSpace(type)};
   if (!target.colorSpace.empty()) {
-    CUTIS_TRY(space, namedColorSpace(target.colorSpace, kSpacePlace));
+    CUTIS_TRY(space, namedColorSpace(target.colorSpace, kColorSpaceChoice));
     // Of two spaces of one name the file's own goes back to its exact numbers.
     const bool own = image != nullptr && space.name == imageSpace.name;
     encoding.colorSpace = own ? imageSpace : std::move(space);

@@ -1,5 +1,6 @@
 #include "src/app/export/picture_encoding.h"
 
+#include "core/base/choice_place.h"
 #include "core/base/parallel.h"
 #include "src/color/color_space.h"
 

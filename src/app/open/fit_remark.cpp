@@ -1,7 +1,5 @@
 #include "src/app/open/fit_remark.h"
 
-#include <algorithm>
-
 #include "core/analyse/diffusion_domain.h"
 #include "core/base/number_text.h"
 
@@ -13,11 +11,6 @@ constexpr double kExactResidual = 2e-4;
 // A share of all pixels.
 constexpr double kMostNotSettled = 0.01;
 
-// "100 %", not "1e+02 %".
-std::string percent(double share, int digits) {
-  return formatNumber(100.0 * share, share < 0.995 ? digits : std::max(digits, 3)) + " %";
-}
-
 }  // namespace
 
 std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
@@ -26,10 +19,10 @@ std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
                                  const std::optional<ExposureChoice>& exposure) {
   using enum FitRemark::Kind;
   std::vector<FitRemark> remarks;
-  if (exposure) {
+  if (exposure && exposure->exposure != 1.0) {
     remarks.push_back(
         {exposureChosen, "exposure " + formatNumber(exposure->exposure, 4) + " brings " +
-                             percent(exposure->inside, 3) +
+                             percentText(exposure->inside, 3) +
                              " of the pixels into the profile's range of skin colours"});
   }
   const FitStatistics::Pixels& pixels = statistics.pixels;
@@ -39,12 +32,12 @@ std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
     remarks.push_back(
         {nothingFitted, "no pixel could be fitted; all are masked, black or saturated"});
   } else if (share > kMostNotSettled) {
-    remarks.push_back(
-        {notSettled, percent(share, 2) + " of the pixels did not settle; their values are rough"});
+    remarks.push_back({notSettled, percentText(share, 2) +
+                                       " of the pixels did not settle; their values are rough"});
   }
   if (shareOutside.value_or(0.0) > kNoticeableOutside) {
     remarks.push_back({FitRemark::Kind::outsideDiffusion,
-                       "in " + percent(*shareOutside, 2) +
+                       "in " + percentText(*shareOutside, 2) +
                            " of the pixels the skin absorbs more visible light than it scatters, "
                            "where diffusion, "
                            "the layer optics of this profile, no longer holds; choose a profile by "
@@ -54,7 +47,7 @@ std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
     if (summary.openShare <= kMostlyAssumed) continue;
     remarks.push_back({mostlyAssumed, std::string(constantName(summary.constant)) +
                                           " is mostly what was assumed: these channels leave " +
-                                          percent(summary.openShare, 2) +
+                                          percentText(summary.openShare, 2) +
                                           " of its uncertainty; photograph under more lights"});
   }
   if (method == FitMethod::refined && noise.isExact() && statistics.meanResidual > kExactResidual) {

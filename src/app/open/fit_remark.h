@@ -16,7 +16,7 @@ namespace cutis {
 
 struct FitRemark {
   enum class Kind {
-    exposureChosen,    // and how much of the texture is skin at it
+    exposureChosen,    // another than 1, and how much of the texture is skin at it
     nothingFitted,     // no pixel was there to be solved
     notSettled,        // pixels that met the limit of iterations
     outsideDiffusion,  // pixels whose skin absorbs more than it scatters

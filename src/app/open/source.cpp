@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "core/base/choice_place.h"
 #include "core/rig/surface_reflection.h"
 #include "core/simulate/photograph.h"
 #include "core/simulate/skin_patch.h"
@@ -35,17 +36,17 @@ std::string titleOf(const std::filesystem::path& path) {
 Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions& options,
                           const std::shared_ptr<TileStore>& store, const JobContext& context) {
   if (!options.lights.empty()) {
-    return usageError("--lights", "a single image has one light; name a capture");
+    return usageError(kLightsChoice, "a single image has one light; name a capture");
   }
   if (options.surface.specularShare > 0.0) {
-    return usageError("--specular",
+    return usageError(kSurfaceChoice,
                       "a single image is taken as albedo, without the reflection of the surface; "
                       "this is for captures");
   }
   if (!std::isfinite(options.exposure) || !(options.exposure > 0.0)) {
-    return usageError("--exposure", "the exposure must be a positive number");
+    return usageError(kExposureChoice, "the exposure must be a positive number");
   }
-  CUTIS_TRY(rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, "--rig"));
+  CUTIS_TRY(rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, kRigChoice));
   CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask, options.layer}, rig, store,
                                context));
   Source source;
@@ -73,7 +74,7 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
     return usageError("--layer", "the layer is chosen of a single image; leave this out");
   }
   if (!options.colorSpace.empty() || options.exposure != 1.0) {
-    return usageError(options.colorSpace.empty() ? "--exposure" : "--colorspace",
+    return usageError(options.colorSpace.empty() ? kExposureChoice : kColorSpaceChoice,
                       "a capture is linear and calibrated; this is for single images");
   }
   CUTIS_TRY(capture,

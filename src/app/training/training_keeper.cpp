@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/echoed_text.h"
+
 namespace cutis {
 namespace {
 
@@ -19,8 +21,9 @@ Result<NetworkTrainingState> TrainingKeeper::load() {
   if (path_.empty() || !std::filesystem::exists(path_, ignored)) return NetworkTrainingState{};
   CUTIS_TRY(file, readTraining(path_));
   if (file.command != command_) {
-    return inputError(path_.string(), "this is the state of another training, '" + file.command +
-                                          "'; repeat that command, or name another file");
+    return inputError(path_.string(), "this is the state of another training, " +
+                                          inQuotes(file.command) +
+                                          "; repeat that command, or name another file");
   }
   if (file.identity != identity_) {
     return inputError(path_.string(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/fit_source.h"
@@ -93,7 +94,7 @@ Result<EditedAlbedo> openWithMaps(const ApplyCommand& command, const Session& se
   const Measurements& pixels = source.measurements;
   if (pixels.width() != maps.width() || pixels.height() != maps.height()) {
     return inputError(command.maps, "the maps are " + sizeText(maps.width(), maps.height()) +
-                                        " but '" + path + "' is " +
+                                        " but " + inQuotes(path) + " is " +
                                         sizeText(pixels.width(), pixels.height()) +
                                         "; name the maps of this source");
   }

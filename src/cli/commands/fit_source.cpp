@@ -38,7 +38,7 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 Result<FittedPath> openAndFit(const std::string& path, const FitRequest& request,
                               const Session& session, double share) {
   const JobContext context = session.context.child(0.0, share);
-  if (request.chooseExposure && looksLikeCapture(path)) {
+  if (request.exposureIsGiven && looksLikeCapture(path)) {
     return usageError("--exposure",
                       "a capture is linear and calibrated; this is for single images");
   }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "core/evaluate/validation.h"
 #include "core/fit/spectra/free_spectra_fit.h"
@@ -32,13 +33,13 @@ Result<WavelengthRange> wavelengthRangeOf(const std::string& text) {
   const auto colon = text.find(':');
   if (colon == std::string::npos) {
     return usageError("--range",
-                      "'" + text + "' is not a range; write FROM:TO in nm, such as 400:700");
+                      inQuotes(text) + " is not a range; write FROM:TO in nm, such as 400:700");
   }
   constexpr double least = kFirstWavelengthNm, most = kLastWavelengthNm;
   CUTIS_TRY(from, realNumber("--range", text.substr(0, colon), least, most));
   CUTIS_TRY(to, realNumber("--range", text.substr(colon + 1), least, most));
   if (from < to) return WavelengthRange{from, to};
-  return usageError("--range", "'" + text + "' is empty; write the smaller wavelength first");
+  return usageError("--range", inQuotes(text) + " is empty; write the smaller wavelength first");
 }
 
 // A name that would read as a comment or as several fields is quoted.

@@ -1,5 +1,7 @@
 #include "src/cli/commands/maps_input.h"
 
+#include "core/base/echoed_text.h"
+
 namespace cutis {
 namespace {
 
@@ -13,8 +15,8 @@ Result<std::shared_ptr<const SkinModel>> modelOf(const MapsAttributes& attribute
                       "--profile");
   }
   if (!profile.empty()) {
-    return usageError("--profile", "the maps carry their own profile '" + attributes.profileName +
-                                       "'; leave this out");
+    return usageError("--profile", "the maps carry their own profile " +
+                                       inQuotes(attributes.profileName) + "; leave this out");
   }
   return engine.modelFromText(attributes.profileJson, path + ": profile of the maps");
 }

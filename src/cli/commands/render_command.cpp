@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "src/app/export/export.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
@@ -26,7 +27,7 @@ Result<ChromaticAdaptation> adaptationNamed(const std::string& name) {
   if (name.empty() || name == "none") return ChromaticAdaptation::none;
   if (name == "bradford") return ChromaticAdaptation::bradford;
   if (name == "cat16") return ChromaticAdaptation::cat16;
-  return usageError("--adapt", "'" + name + "' is unknown; choose none, bradford or cat16");
+  return usageError("--adapt", inQuotes(name) + " is unknown; choose none, bradford or cat16");
 }
 
 Status refuse(const std::string& option, const std::string& value, const char* reason) {

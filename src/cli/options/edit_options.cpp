@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/echoed_text.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 

@@ -34,12 +34,11 @@ Status checkMethodOptions(const FitCommandOptions& options, FitMethod method) {
 }
 
 Status parseExposure(const std::string& text, FitRequest& request) {
-  if (text == "auto") {
-    request.chooseExposure = true;
-  } else if (!text.empty()) {
-    CUTIS_TRY(exposure, realNumber("--exposure", text, kLeastExposure, kMostExposure));
-    request.source.exposure = exposure;
-  }
+  request.exposureIsGiven = !text.empty();
+  request.chooseExposure = text.empty() || text == "auto";
+  if (request.chooseExposure) return {};
+  CUTIS_TRY(exposure, realNumber("--exposure", text, kLeastExposure, kMostExposure));
+  request.source.exposure = exposure;
   return {};
 }
 
@@ -60,8 +59,9 @@ void addFitOptions(CLI::App& command, FitCommandOptions& options) {
             "Layer or part of an OpenEXR image, as info lists them (default: the plain channels R, "
             "G and B)");
   addOption(command, "--exposure", options.exposure, "S|auto",
-            "Factor on the linear values of an image; auto chooses the one that brings "
-            "most pixels into the profile's range of skin colours (default: 1)");
+            "Factor on the linear values of an image (default: auto, the one that brings most "
+            "pixels into the profile's range of skin colours, and 1 unless another brings five "
+            "in a hundred more)");
   addOption(command, "--noise", options.noise, "READ,PROP",
             "Standard deviations of a channel, constant and proportional, where the "
             "perfect diffuser reads 1; 0,0 asks for the exact solution (default: the "

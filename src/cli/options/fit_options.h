@@ -45,7 +45,8 @@ struct FitRequest {
   std::string methodName;
   SourceOptions source;
   MeasurementSetting measurement;
-  bool chooseExposure = false;
+  bool chooseExposure = true;    // for an image
+  bool exposureIsGiven = false;  // whether by a number or by `auto`
   FitOptions options;
   std::string priorFile;
   std::vector<Assignment> fixed;

@@ -1,5 +1,6 @@
 #include "src/cli/options/free_options.h"
 
+#include "core/base/echoed_text.h"
 #include "src/cli/options/option_values.h"
 
 namespace cutis {
@@ -11,11 +12,11 @@ Result<FreeConstants> freeConstants(const std::string& option, const std::string
                       : name == "thickness" ? &free.thickness
                                             : nullptr;
     if (one == nullptr) {
-      return usageError(option, "'" + name +
-                                    "' cannot be found by a fit; write oxygenation, "
+      return usageError(option, inQuotes(name) +
+                                    " cannot be found by a fit; write oxygenation, "
                                     "thickness or oxygenation,thickness");
     }
-    if (*one) return usageError(option, "'" + name + "' is named twice; name it once");
+    if (*one) return usageError(option, inQuotes(name) + " is named twice; name it once");
     *one = true;
   }
   return free;

@@ -1,5 +1,6 @@
 #include "src/cli/options/measurement_options.h"
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
@@ -15,7 +16,7 @@ Result<SpecularPart> specularPart(const std::string& word) {
   if (word == "included") return SpecularPart::included;
   if (word == "cross-polarised") return SpecularPart::crossPolarised;
   return usageError("--specular",
-                    "'" + word + "' is unknown; choose included, excluded or cross-polarised");
+                    inQuotes(word) + " is unknown; choose included, excluded or cross-polarised");
 }
 
 }  // namespace

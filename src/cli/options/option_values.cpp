@@ -3,16 +3,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "core/skin/profile/parameter_names.h"
 #include "src/files/io/suggestion.h"
 
 namespace cutis {
 namespace {
-
-std::string quoted(const std::string& text) {
-  return "'" + text + "'";
-}
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
@@ -38,7 +35,7 @@ Result<double> realNumber(const std::string& option, const std::string& text, do
   const auto number = parseNumber(text);
   if (!number || !std::isfinite(*number)) {
     return usageError(option,
-                      quoted(text) + " is not a number; give one from " + rangeText(least, most));
+                      inQuotes(text) + " is not a number; give one from " + rangeText(least, most));
   }
   if (*number < least || *number > most) {
     return usageError(option, formatNumber(*number) + " is out of range; give a number from " +
@@ -50,7 +47,7 @@ Result<double> realNumber(const std::string& option, const std::string& text, do
 Result<int> wholeNumber(const std::string& option, const std::string& text, int least, int most) {
   int number = 0;
   if (!parseWhole(text, number) || number < least || number > most) {
-    return usageError(option, quoted(text) + " is not a whole number from " +
+    return usageError(option, inQuotes(text) + " is not a whole number from " +
                                   std::to_string(least) + " to " + std::to_string(most));
   }
   return number;
@@ -59,7 +56,7 @@ Result<int> wholeNumber(const std::string& option, const std::string& text, int 
 Result<std::uint64_t> seedNumber(const std::string& option, const std::string& text) {
   std::uint64_t number = 0;
   if (!parseWhole(text, number)) {
-    return usageError(option, quoted(text) + " is not a whole number of at most 64 bits");
+    return usageError(option, inQuotes(text) + " is not a whole number of at most 64 bits");
   }
   return number;
 }
@@ -80,7 +77,7 @@ Result<std::vector<double>> realNumbers(const std::string& option, const std::st
                                         std::size_t count, double least, double most) {
   const std::vector<std::string> fields = commaSeparated(text);
   if (fields.size() != count) {
-    return usageError(option, quoted(text) + " must be " + std::to_string(count) +
+    return usageError(option, inQuotes(text) + " must be " + std::to_string(count) +
                                   " numbers, separated by commas");
   }
   std::vector<double> numbers;
@@ -108,7 +105,7 @@ Result<PixelSize> pixelSize(const std::string& option, const std::string& text, 
                     parseWhole(text.substr(cross + 1), size.height);
   const auto fits = [&](int side) { return side >= 1 && side <= most; };
   if (read && fits(size.width) && fits(size.height)) return size;
-  return usageError(option, quoted(text) +
+  return usageError(option, inQuotes(text) +
                                 " is not a size in pixels; write WIDTHxHEIGHT, each from "
                                 "1 to " +
                                 std::to_string(most));
@@ -117,18 +114,18 @@ Result<PixelSize> pixelSize(const std::string& option, const std::string& text, 
 Result<Assignment> assignment(const std::string& option, const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos) {
-    return usageError(option, quoted(text) + " must be NAME=VALUE, such as carotene=0");
+    return usageError(option, inQuotes(text) + " must be NAME=VALUE, such as carotene=0");
   }
   const std::string name = trimmed(text.substr(0, equals));
   const auto parameter = parameterByName(name);
   if (!parameter) {
     const auto names = parameterNames();
-    return usageError(option, "unknown parameter " + quoted(name) + "; " +
+    return usageError(option, "unknown parameter " + inQuotes(name) + "; " +
                                   suggestName(name, {names.begin(), names.end()}));
   }
   const auto value = parseNumber(trimmed(text.substr(equals + 1)));
   if (!value || !std::isfinite(*value)) {
-    return usageError(option, quoted(text) + " has no number; write " + name + "=VALUE");
+    return usageError(option, inQuotes(text) + " has no number; write " + name + "=VALUE");
   }
   return Assignment{*parameter, *value};
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/echoed_text.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/files/rig_file.h"
@@ -54,7 +55,7 @@ void setBoth(NetworkTraining& training, const Change& change) {
 Status setPreset(const std::string& preset, NetworkTraining& training) {
   if (preset.empty() || preset == "default") return {};
   if (preset != "paper") {
-    return usageError("--preset", "'" + preset + "' is unknown; choose default or paper");
+    return usageError("--preset", inQuotes(preset) + " is unknown; choose default or paper");
   }
   training.spectra = paperSpectraNetworkOptions();
   training.chromophores = paperChromophoreNetworkOptions();
@@ -64,7 +65,7 @@ Status setPreset(const std::string& preset, NetworkTraining& training) {
 Status setChannels(const std::string& channels, NetworkTraining& training) {
   if (channels.empty() || channels == "all") return {};
   if (channels != "paper") {
-    return usageError("--channels", "'" + channels + "' is unknown; choose all or paper");
+    return usageError("--channels", inQuotes(channels) + " is unknown; choose all or paper");
   }
   training.paperChannels = true;
   return {};
@@ -74,7 +75,7 @@ Status setActivation(const std::string& name, NetworkTraining& training) {
   const auto activation = activationByName(name);
   if (!activation || *activation == Activation::linear) {
     return usageError("--activation",
-                      "'" + name + "' is unknown; choose relu, sigmoid or squareplus");
+                      inQuotes(name) + " is unknown; choose relu, sigmoid or squareplus");
   }
   setBoth(training, [&](auto& options) { options.activation = *activation; });
   return {};
@@ -240,7 +241,8 @@ Result<std::vector<int>> hiddenLayers(const std::string& option, const std::stri
     hidden.push_back(units);
   }
   if (hidden.empty() || hidden.size() > kMostHiddenLayers) {
-    return usageError(option, "'" + text + "' is not one to " + std::to_string(kMostHiddenLayers) +
+    return usageError(option, inQuotes(text) + " is not one to " +
+                                  std::to_string(kMostHiddenLayers) +
                                   " hidden layers; give as many, such as 32,32");
   }
   return hidden;

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/echoed_text.h"
 #include "src/files/io/text_file.h"
 
 namespace cutis {
@@ -37,8 +38,15 @@ std::string reason(const json::parse_error& error) {
   std::string text = error.what();
   const auto marker = text.find(": ");
   if (marker != std::string::npos) text = text.substr(marker + 2);
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  // What the file holds there, however long.
+  const auto read = text.find("last read: '");
+  const auto end = text.rfind('\'');
+  if (read != std::string::npos && end > text.find('\'', read)) {
+    const auto begin = text.find('\'', read) + 1;
+    text = text.substr(0, begin - 1) + inQuotes(text.substr(begin, end - begin)) +
+           text.substr(end + 1);
+  }
+  return onOneLine(std::move(text));
 }
 
 }  // namespace
@@ -170,7 +178,7 @@ Status JsonValue::allowOnly(std::span<const std::string_view> keys) const {
     for (const std::string_view name : keys) {
       known += (known.empty() ? "" : ", ") + std::string(name);
     }
-    return inputError(file_, "unknown field '" + pathOf(key) + "'; known here: " + known);
+    return inputError(file_, "unknown field " + inQuotes(pathOf(key)) + "; known here: " + known);
   }
   return {};
 }

@@ -1,10 +1,10 @@
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <new>
 #include <system_error>
 #include <unistd.h>
 
+#include "src/files/io/error_stream.h"
 #include "src/files/io/last_words.h"
 #include "src/files/io/temporary_path.h"
 
@@ -41,7 +41,7 @@ void onTerminate() {
 
 void sayLastWords(const char* sentence) {
   for (const char* part : {program, ": ", sentence, "\n"}) {
-    static_cast<void>(!::write(STDERR_FILENO, part, std::strlen(part)));
+    writeError(part);
   }
 }
 

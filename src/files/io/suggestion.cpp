@@ -4,6 +4,8 @@
 #include <cctype>
 #include <numeric>
 
+#include "core/base/echoed_text.h"
+
 namespace cutis {
 namespace {
 
@@ -41,7 +43,8 @@ std::string suggestName(const std::string& wrong, const std::vector<std::string>
       nearest = name;
     }
   }
-  return nearest.empty() ? "known: " + list : "did you mean '" + nearest + "'? Known: " + list;
+  return nearest.empty() ? "known: " + list
+                         : "did you mean " + inQuotes(nearest) + "? Known: " + list;
 }
 
 }  // namespace cutis

@@ -7,6 +7,7 @@
 #include <limits>
 #include <system_error>
 
+#include "core/base/echoed_text.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -256,8 +257,9 @@ Result<NetworkFile> loadNetworks(const std::string& nameOrPath, const std::strin
   }
   const std::string way =
       known.empty() ? "none are built in for it" : suggestName(nameOrPath, known);
-  return inputError(place, "unknown networks '" + nameOrPath + "' of profile '" + profile + "'; " +
-                               way + ", or name a file that train has written");
+  return inputError(place, "unknown networks " + inQuotes(nameOrPath) + " of profile " +
+                               inQuotes(profile) + "; " + way +
+                               ", or name a file that train has written");
 }
 
 }  // namespace cutis

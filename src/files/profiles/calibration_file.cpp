@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/base/echoed_text.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -186,7 +187,7 @@ Result<CalibrationRecipe> loadCalibrationRecipe(const std::string& nameOrPath,
   if (const auto text = resource(builtIn)) return parseRecipe(*text, nameOrPath, true);
   const bool isPath = nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".json");
   if (!isPath) {
-    return inputError(place, "unknown calibration '" + nameOrPath + "'; " +
+    return inputError(place, "unknown calibration " + inQuotes(nameOrPath) + "; " +
                                  suggestName(nameOrPath, resourceStems(kFolder, ".json")) +
                                  ", or name a JSON file");
   }

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/echoed_text.h"
 #include "core/skin/profile/prior.h"
 
 namespace cutis {
@@ -84,7 +85,7 @@ Result<double> profileNumber(std::string_view text, const std::string& field,
   const Json root = Json::parse(text);
   const Json::json_pointer pointer = pointerTo(field);
   if (root.contains(pointer) && root.at(pointer).is_number()) return root.at(pointer).get<double>();
-  return inputError(place, "the profile has no number '" + field + "'");
+  return inputError(place, "the profile has no number " + inQuotes(field));
 }
 
 std::string editedProfile(std::string_view text, const ProfileEdits& edits) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "core/skin/profile/parameter_names.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
@@ -263,7 +264,7 @@ Result<std::string> profileText(const std::string& nameOrPath, const std::string
   if (const auto text = resource(builtInName(nameOrPath))) return std::string(*text);
   const bool isPath = nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".json");
   if (!isPath) {
-    return inputError(place, "unknown profile '" + nameOrPath + "'; " +
+    return inputError(place, "unknown profile " + inQuotes(nameOrPath) + "; " +
                                  suggestName(nameOrPath, profileNames()) + ", or name a JSON file");
   }
   return readTextFile(nameOrPath);

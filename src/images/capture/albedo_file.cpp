@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "core/base/choice_place.h"
+#include "core/base/echoed_text.h"
 #include "core/base/parallel.h"
 #include "core/spectra/colorimetry.h"
 #include "src/images/capture/mask_file.h"
@@ -18,10 +20,10 @@ namespace {
 
 Status checkRig(const Rig& rig) {
   if (rig.camera.isObserver && rig.lights.size() == 1) return {};
-  return usageError("--rig",
+  return usageError(kRigChoice,
                     "a single image needs a rig with a colour-matching observer and one "
-                    "light, which '" +
-                        rig.name + "' is not; use the rig 'albedo' or name a capture");
+                    "light, which " +
+                        inQuotes(rig.name) + " is not; use the rig 'albedo' or name a capture");
 }
 
 Status checkHasColors(const ImageHeader& image, const std::vector<ImageLayer>& layers,
@@ -35,8 +37,8 @@ Status checkHasColors(const ImageHeader& image, const std::vector<ImageLayer>& l
     std::copy_if(layers.begin(), layers.end(), std::back_inserter(colored),
                  [](const ImageLayer& layer) { return layer.colors.has_value(); });
     const std::string what = image.layer.name.empty() ? "the image has no plain channels R, G and B"
-                                                      : "the layer '" + image.layer.name +
-                                                            "' has no red, green and blue";
+                                                      : "the layer " + inQuotes(image.layer.name) +
+                                                            " has no red, green and blue";
     return inputError(place, what + "; choose a layer with colours: " + layerNames(colored));
   }
   const bool grey = image.channelNames.size() <= 2 && !severalLayers;
@@ -172,8 +174,8 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   }
   Plane mask;
   if (!options.mask.empty()) {
-    const MaskedPicture picture = {image.width, image.height, "'" + place + "'",
-                                   image.frame.display, image.orientation};
+    const MaskedPicture picture = {image.width, image.height, inQuotes(place), image.frame.display,
+                                   image.orientation};
     CUTIS_TRY(read, readMask(options.mask, picture, store, context.child(0.7, 0.75)));
     mask = read;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/choice_place.h"
+#include "core/base/echoed_text.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/rig_file.h"
@@ -30,7 +32,7 @@ Result<fs::path> resolveInside(const fs::path& folder, const JsonValue& object,
                                const std::string& key) {
   CUTIS_TRY(name, object.text(key));
   const auto outside = [&] {
-    return object.error(key, "a file in or below the folder of the capture, not '" + name + "'");
+    return object.error(key, "a file in or below the folder of the capture, not " + inQuotes(name));
   };
   const fs::path relative(name);
   const bool climbs = std::find(relative.begin(), relative.end(), "..") != relative.end();
@@ -72,7 +74,8 @@ Result<CapturePhotograph> parsePhotograph(const JsonValue& object, const fs::pat
   CUTIS_TRY(light, object.text("light"));
   photograph.light = rig.lightIndex(light);
   if (photograph.light < 0) {
-    return object.error("light", "a light of rig '" + rig.name + "', not '" + light + "'; " +
+    return object.error("light", "a light of rig " + inQuotes(rig.name) + ", not " +
+                                     inQuotes(light) + "; " +
                                      suggestName(light, lightNamesOf(rig)));
   }
   CUTIS_TRY(path, resolveInside(folder, object, "file"));
@@ -94,8 +97,8 @@ Result<std::vector<CapturePhotograph>> parsePhotographs(const JsonValue& root,
     CUTIS_TRY(photograph, parsePhotograph(object, folder, rig));
     for (const CapturePhotograph& other : photographs) {
       if (other.light == photograph.light) {
-        return object.error("light", "named by one image only; keep '" + other.file + "' or '" +
-                                         photograph.file + "'");
+        return object.error("light", "named by one image only; keep " + inQuotes(other.file) +
+                                         " or " + inQuotes(photograph.file));
       }
     }
     photographs.push_back(photograph);
@@ -106,7 +109,7 @@ Result<std::vector<CapturePhotograph>> parsePhotographs(const JsonValue& root,
 }
 
 Result<Rig> rigOf(const JsonValue& root, const fs::path& folder, const std::string& other) {
-  if (!other.empty()) return loadRig(other, {}, "--rig");
+  if (!other.empty()) return loadRig(other, {}, kRigChoice);
   CUTIS_TRY(name, root.text("rig"));
   return loadRig(name, folder.string(), root.file() + ": rig");
 }
@@ -119,8 +122,8 @@ Status keepLights(const std::vector<std::string>& wanted, CaptureManifest& manif
   }
   for (const std::string& name : wanted) {
     if (std::find(there.begin(), there.end(), name) == there.end()) {
-      return inputError("--lights", "the capture has no photograph under '" + name + "'; " +
-                                        suggestName(name, there));
+      return inputError(kLightsChoice, "the capture has no photograph under " + inQuotes(name) +
+                                           "; " + suggestName(name, there));
     }
   }
   std::vector<CapturePhotograph> kept;
@@ -132,7 +135,7 @@ Status keepLights(const std::vector<std::string>& wanted, CaptureManifest& manif
     kept.back().light = static_cast<int>(names.size());
     names.push_back(there[i]);
   }
-  CUTIS_TRY(rig, withLights(manifest.rig, names, "--lights"));
+  CUTIS_TRY(rig, withLights(manifest.rig, names, kLightsChoice));
   manifest.rig = std::move(rig);
   manifest.photographs = std::move(kept);
   return {};

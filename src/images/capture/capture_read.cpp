@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "core/base/parallel.h"
 #include "src/files/io/file_extension.h"
 #include "src/images/capture/capture_file.h"
@@ -138,7 +139,7 @@ class CaptureReader {
       first_ = header;
       return {};
     }
-    const std::string firstName = "'" + manifest_.photographs.front().file + "'";
+    const std::string firstName = inQuotes(manifest_.photographs.front().file);
     if (header.width != first_.width || header.height != first_.height) {
       return inputError(entry.path.string(),
                         "the photograph is " + sizeText(header.width, header.height) + " but " +
@@ -166,7 +167,7 @@ class CaptureReader {
     if (manifest_.mask.empty()) return {};
     const MaskedPicture picture = {first_.width,
                                    first_.height,
-                                   "'" + manifest_.photographs.front().file + "'",
+                                   inQuotes(manifest_.photographs.front().file),
                                    {},
                                    first_.orientation};
     CUTIS_TRY(mask, readMask(manifest_.mask, picture, store_, context_.child(0.9, 0.95)));

@@ -117,6 +117,10 @@ AlphaKind alphaKindOf(ImageFileKind kind, const OIIO::ImageSpec& spec) {
   return kind == ImageFileKind::bmp ? AlphaKind::straight : AlphaKind::associated;
 }
 
+Error noMemory(const std::string& place) {
+  return resourceError(place, "not enough memory for the image; use a smaller one");
+}
+
 Rect rectOf(int x, int y, int width, int height) {
   return {x, y, x + width, y + height};
 }
@@ -142,14 +146,7 @@ struct ImageReader::Chunks {
 };
 
 Error ImageReader::damaged(const std::string& reason) const {
-  const std::string format(imageFormat(kind_).name);
-  if (isOnlyUnsupported(reason)) {
-    return inputError(place_, "this kind of " + format + " file is not supported (" +
-                                  oiioReason(reason, place_) +
-                                  "); save it as a plain colour image");
-  }
-  return inputError(place_, "the " + format + " file is damaged or cut off (" +
-                                oiioReason(reason, place_) + "); get a sound copy");
+  return readingError(reason, std::string(imageFormat(kind_).name), place_);
 }
 
 Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
@@ -176,6 +173,8 @@ Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
     if (kind == ImageFileKind::openExr) {
       reader.partCount_ = std::max(1, spec.get_int_attribute("oiio:subimages", 1));
     }
+  } catch (const std::bad_alloc&) {
+    return noMemory(reader.place_);
   } catch (const std::exception& error) {
     return reader.damaged(error.what());
   }
@@ -234,6 +233,8 @@ Result<ImagePart> ImageReader::part(int index) try {
   }
   part.alphaKind = alphaKindOf(kind_, spec);
   return part;
+} catch (const std::bad_alloc&) {
+  return noMemory(place_);
 } catch (const std::exception& error) {
   return damaged(error.what());
 }
@@ -336,6 +337,8 @@ Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::vector<
   const std::string message = input_->geterror();
   if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
   return {};
+} catch (const std::bad_alloc&) {
+  return noMemory(place_);
 } catch (const std::exception& error) {
   return damaged(error.what());
 }
@@ -467,7 +470,7 @@ Result<std::vector<Plane>> ImageReader::readStored(const ImagePart& part,
   }
   return planes;
 } catch (const std::bad_alloc&) {
-  return resourceError(place_, "not enough memory for the image; use a smaller one");
+  return noMemory(place_);
 }
 
 }  // namespace cutis

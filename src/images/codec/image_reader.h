@@ -15,6 +15,7 @@
 
 #include "core/base/job_context.h"
 #include "core/base/plane.h"
+#include "src/files/io/error_stream.h"
 #include "src/images/codec/sample_type.h"
 #include "src/images/codec/source_file.h"
 #include "src/images/codec/stored_colors.h"
@@ -99,6 +100,7 @@ class ImageReader {
   ImageFileKind kind_ = ImageFileKind::png;
   int partCount_ = 1;
   OIIO::ImageInput::unique_ptr input_;
+  std::shared_ptr<const LibrarySilence> silence_ = std::make_shared<const LibrarySilence>();
 };
 
 }  // namespace cutis

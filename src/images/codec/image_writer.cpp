@@ -6,6 +6,7 @@
 
 #include "core/base/half.h"
 #include "core/base/parallel.h"
+#include "src/files/io/error_stream.h"
 #include "src/images/codec/oiio_text.h"
 #include "src/images/pixels/alpha.h"
 
@@ -272,6 +273,7 @@ Result<WriteLosses> writeParts(const std::filesystem::path& file, const std::str
                                const std::vector<OIIO::ImageSpec>& plain,
                                const std::string& pngChunks, const JobContext& context) try {
   setUpOpenImageIO();
+  const LibrarySilence silence;
   Writer writer(file, place, kind, type, pngChunks);
   CUTIS_CHECK(openWithMetadata(writer, parts, plain, place, context));
   WriteLosses losses;

@@ -1,5 +1,8 @@
 #include "src/images/codec/oiio_text.h"
 
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
 #include <mutex>
 
 #include <OpenImageIO/imageio.h>
@@ -15,7 +18,33 @@ void removeAll(std::string& text, const std::string& part) {
     text.erase(at, part.size());
 }
 
+bool saysOneOf(const std::string& message, std::initializer_list<const char*> parts) {
+  std::string lower = message;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const char* part) { return lower.find(part) != std::string::npos; });
+}
+
 }  // namespace
+
+Error readingError(const std::string& message, const std::string& format,
+                   const std::string& place) {
+  const std::string reason = oiioReason(message, place);
+  if (saysOneOf(message,
+                {"out of memory", "not enough memory", "insufficient memory", "bad_alloc",
+                 "cannot allocate", "could not allocate", "failed to allocate", "no space for"})) {
+    return resourceError(place, "not enough memory for the image; use a smaller one");
+  }
+  if (saysOneOf(message, {"unsupported", "not supported", "not implemented", "not configured",
+                          "unknown compression", "cannot handle", "can't handle", "don't know how",
+                          "not yet supported", "no support"})) {
+    return inputError(place, "this kind of " + format + " file is not supported (" + reason +
+                                 "); save it in a more usual way");
+  }
+  return inputError(
+      place, "the " + format + " file is damaged or cut off (" + reason + "); get a sound copy");
+}
 
 std::string oiioReason(const std::string& message, const std::string& place) {
   std::string reason = message.substr(0, message.find_first_of("\r\n"));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/echoed_text.h"
 #include "core/skin/profile/parameter.h"
 #include "src/files/io/json_file.h"
 #include "src/images/codec/image_reader.h"
@@ -57,10 +58,10 @@ Status checkIsMaps(const ImagePart* chromophores, const std::string& place) {
 
 Status checkSize(const ImagePart& part, const ImagePart& first, const std::string& place) {
   if (part.width() == first.width() && part.height() == first.height()) return {};
-  return inputError(place, "part '" + part.name + "' is " + std::to_string(part.width()) + " × " +
-                               std::to_string(part.height()) + " pixels but part '" + first.name +
-                               "' is " + std::to_string(first.width()) + " × " +
-                               std::to_string(first.height()) + "; fit the image again");
+  return inputError(place, "part " + inQuotes(part.name) + " is " + std::to_string(part.width()) +
+                               " × " + std::to_string(part.height()) + " pixels but part " +
+                               inQuotes(first.name) + " is " + std::to_string(first.width()) +
+                               " × " + std::to_string(first.height()) + "; fit the image again");
 }
 
 // What is stored of a part, in pixels of the picture.
@@ -76,8 +77,8 @@ Result<std::vector<int>> channelsNamed(const ImagePart& part, const std::vector<
   for (const std::string& name : names) {
     channels.push_back(part.channelIndex(name));
     if (channels.back() < 0) {
-      return inputError(
-          place, "part '" + part.name + "' has no channel '" + name + "'; fit the image again");
+      return inputError(place, "part " + inQuotes(part.name) + " has no channel " + inQuotes(name) +
+                                   "; fit the image again");
     }
   }
   return channels;

@@ -3,6 +3,7 @@
 #include <clocale>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include <QtTest>
@@ -83,6 +84,18 @@ class NumberTextTest : public QObject {
     QCOMPARE(shortScientific(1.0), std::string("1.00e+0"));
     QCOMPARE(shortScientific(0.0), std::string("0"));
     QCOMPARE(shortScientific(std::numeric_limits<double>::infinity()), std::string("-"));
+  }
+
+  void sharesAreWrittenForPeople() {
+    const std::vector<std::tuple<double, int, std::string>> cases = {
+        {1.0, 2, "100 %"},      {0.0, 2, "0 %"},         {0.5, 2, "50 %"},
+        {0.126, 2, "13 %"},     {0.0521, 2, "5.2 %"},    {0.996, 2, "99.6 %"},
+        {0.9999, 2, "99.99 %"}, {0.00012, 2, "0.012 %"}, {0.05, 3, "5 %"},
+        {12.5, 2, "1250 %"},    {1e-7, 2, "0.00001 %"},  {-0.25, 2, "-25 %"},
+        {0.666666, 3, "66.7 %"}};
+    for (const auto& [share, digits, text] : cases)
+      QCOMPARE(percentText(share, digits), text);
+    QCOMPARE(percentText(std::numeric_limits<double>::quiet_NaN(), 2), std::string("-"));
   }
 
   void roundedNumbersAreThoseWritten() {

@@ -39,12 +39,18 @@ class FitRemarkTest : public QObject {
     const std::vector<ConstantSummary> constants = {{kOxygenation, 0.6, 0.4, 0.8, 0.9},
                                                     {kThickness, 0.1, 0.1, 0.1, 0.2}};
     const auto remarks = remarksOn(rough, constants, FitMethod::refined, NoiseModel{0.0, 0.0}, 0.2,
-                                   ExposureChoice{});
+                                   ExposureChoice{0.7, 1.0});
     QVERIFY(kindsOf(remarks) ==
             (std::vector{Kind::exposureChosen, Kind::notSettled, Kind::outsideDiffusion,
                          Kind::mostlyAssumed, Kind::inexact}));
     for (const FitRemark& remark : remarks)
       QVERIFY2(remark.sentence.find("--") == std::string::npos, remark.sentence.c_str());
+  }
+
+  void ofAnExposureThatStaysThereIsNothingToSay() {
+    QVERIFY(remarksOn(settled(), {}, FitMethod::refined, NoiseModel{1e-4, 5e-3}, {},
+                      ExposureChoice{1.0, 0.4})
+                .empty());
   }
 
   void nothingFittedIsOneOfThem() {

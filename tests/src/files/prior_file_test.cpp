@@ -119,6 +119,8 @@ class PriorFileTest : public QObject {
     EXPECT_ERROR(read(R"({"scale": "log", "mean": {"melanin": "much"}})"),
                  "mean.melanin must be a finite number");
     EXPECT_ERROR(read(R"({"scale": "log", "mean": 5})"), "mean must be an object");
+    EXPECT_ERROR(read(R"({"scale": "log", "sd": {"melanin": 1e-300}})"), "from 1e-12 to 1e12");
+    EXPECT_ERROR(read(R"({"scale": "log", "mean": {"melanin": 1e300}})"), "at most 1e12");
     EXPECT_ERROR(read("{]"), "prior.json:1:2: not valid JSON");
     EXPECT_ERROR(readPrior("gone.json", test::li2024().profile().prior), "there is no such file");
   }

@@ -239,7 +239,15 @@ class ProfileFileTest : public QObject {
     row("no thickness", "\"thickness_mm\": 0.32", "\"thickness_mm\": 0",
         "epidermis.thickness_mm must be between 0 and 10");
     row("scattering", "\"coefficient\": 14.74", "\"coefficient\": -1e6",
-        "epidermis.reduced_scattering must be positive");
+        "epidermis.mie_scattering must be such that it scatters 0.001 to 10000 per mm");
+    row("much scattering", "\"coefficient\": 14.74", "\"coefficient\": 1e30",
+        "epidermis.mie_scattering must be such that it scatters");
+    row("much more in the dermis", "\"scattering_ratio\": 0.5", "\"scattering_ratio\": 1e9",
+        "dermis.scattering_ratio must be such that it scatters");
+    row("infinite scattering", "\"coefficient\": 14.74", "\"coefficient\": 1e308",
+        "epidermis.mie_scattering must be such that it scatters");
+    row("huge maximum", "\"maximum\": 0.5", "\"maximum\": 1e30",
+        "parameters.melanin.maximum must be positive and at most a million");
     row("absorption", "\"constant\": 0.0244", "\"constant\": -5",
         "absorption must be positive over the whole parameter range");
     row("decay", "\"decay_nm\": 66.2", "\"decay_nm\": 0",

@@ -20,8 +20,8 @@ std::string networkInMuchNoise(const BenchFigures& figures) {
   const auto* network = figuresOf(figures.methods, BenchMethod::network, most);
   const auto* refined = figuresOf(figures.methods, BenchMethod::refinedWide, most);
   if (network == nullptr || refined == nullptr) return {};
-  return "The network learned from the rig's noise; at " + formatNumber(100.0 * most, 2) +
-         " % it leaves " + fixedNumber(network->errors.visibleMse / refined->errors.visibleMse, 1) +
+  return "The network learned from the rig's noise; at " + percentText(most, 2) + " it leaves " +
+         fixedNumber(network->errors.visibleMse / refined->errors.visibleMse, 1) +
          " times what the fit leaves. ";
 }
 

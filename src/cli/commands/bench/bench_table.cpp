@@ -12,7 +12,7 @@ namespace cutis {
 namespace {
 
 std::string percent(double share) {
-  return formatNumber(100.0 * share, 3) + " %";
+  return percentText(share, 3);
 }
 
 std::string pair(double a, double b) {

@@ -6,6 +6,7 @@
 
 #include "core/analyse/diffusion_domain.h"
 #include "core/analyse/maps_summary.h"
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "src/files/io/json_file.h"
 #include "src/files/profiles/profile_file.h"
@@ -24,7 +25,7 @@ namespace {
 constexpr std::string_view kTableMark = "CUTIS TABLE 1\n";
 
 std::string line(const std::string& name, const std::string& value) {
-  return value.empty() ? "" : name + ": " + value + "\n";
+  return value.empty() ? "" : onOneLine(name + ": " + value) + "\n";
 }
 
 std::string sizeText(int width, int height) {
@@ -73,8 +74,7 @@ Result<std::string> diffusionText(const MapsFile& file, const std::string& path,
   CUTIS_TRY(profile, parseProfile(file.attributes.profileJson, path));
   CUTIS_TRY(outside, shareOutsideDiffusion(file.maps, profile, session.context));
   if (!outside) return std::string();
-  return formatNumber(100.0 * *outside, 2) +
-         " % of the pixels absorb more visible light than they scatter";
+  return percentText(*outside, 2) + " of the pixels absorb more visible light than they scatter";
 }
 
 Result<std::string> describeMaps(const std::string& path, const Session& session) {

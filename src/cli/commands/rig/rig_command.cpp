@@ -1,6 +1,7 @@
 // rig: what a rig can find out about skin.
 
 #include "core/analyse/rig_study.h"
+#include "core/base/echoed_text.h"
 #include "src/cli/command.h"
 #include "src/cli/command_line.h"
 #include "src/cli/commands/rig/rig_identify.h"
@@ -34,7 +35,7 @@ struct RigCommand {
 Status checkAction(const std::string& action) {
   if (action == "identify") return {};
   if (action == "check" || action == "calibrate") return usageError(action, kNotInThisVersion);
-  return usageError("rig", "unknown action '" + action + "'; it is identify");
+  return usageError("rig", "unknown action " + inQuotes(action) + "; it is identify");
 }
 
 // Diodes and all lights of the library.

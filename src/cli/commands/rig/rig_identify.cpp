@@ -46,7 +46,7 @@ RigFigures namedFigures(const RigStudy& study, const std::string& rig, const std
   for (const LightFigures& one : study.alone)
     figures.channels.push_back({counted(one.light + " alone", 3), one.result});
   for (const NoiseFigures& at : study.noises)
-    figures.noises.push_back({formatNumber(100.0 * at.proportional, 3) + " %", at.result});
+    figures.noises.push_back({percentText(at.proportional, 3), at.result});
   for (const LightFigures& more : study.added)
     figures.lights.push_back({more.light, more.result});
   return figures;
@@ -56,8 +56,8 @@ std::string rigTables(const RigFigures& figures) {
   std::string text =
       "rig " + figures.rig + ", profile " + figures.profile + ", " +
       std::to_string(figures.people) + " people of the prior, noise " +
-      formatNumber(figures.noise.read, 3) + " and " +
-      formatNumber(100.0 * figures.noise.proportional, 3) + " %\n" +
+      formatNumber(figures.noise.read, 3) + " and " + percentText(figures.noise.proportional, 3) +
+      "\n" +
       "Parameters: what stays open of the prior's deviation, in percent: median (5–95 % of the\n"
       "people); 0 is known, 100 is guessed. Spectra: root mean square deviation of the predicted\n"
       "reflectance, 400–700, 300–400 and 700–1000 nm.\n\n";
