@@ -7,6 +7,7 @@ namespace cutis {
 
 inline constexpr char kColorSpaceChoice[] = "colour space";
 inline constexpr char kExposureChoice[] = "exposure";
+inline constexpr char kLayerChoice[] = "layer";
 inline constexpr char kLightsChoice[] = "lights";
 inline constexpr char kRigChoice[] = "rig";
 inline constexpr char kSurfaceChoice[] = "surface reflection";

@@ -115,9 +115,10 @@ Status run(const Invocation& invocation, Console& console) {
 
 // What was chosen is chosen by options here.
 std::string optionAt(const std::string& place) {
-  constexpr std::array<std::pair<const char*, const char*>, 5> kOptions = {
+  constexpr std::array<std::pair<const char*, const char*>, 6> kOptions = {
       {{kColorSpaceChoice, "--colorspace"},
        {kExposureChoice, "--exposure"},
+       {kLayerChoice, "--layer"},
        {kLightsChoice, "--lights"},
        {kRigChoice, "--rig"},
        {kSurfaceChoice, "--specular"}}};

@@ -63,7 +63,7 @@ struct ColorSpace {
   bool isLinear() const { return matrix && matrix->isLinear(); }
 };
 
-// `place` stands in front of an error about the name: "--colorspace", "face.exr".
+// `place` stands in front of an error about the name: "colour space", "face.exr".
 Result<ColorSpace> namedColorSpace(const std::string& name, const std::string& place);
 
 // One of the spaces that need no file, whatever $OCIO says. Precondition: its canonical name.

@@ -71,7 +71,7 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
                            const SkinModel& model, const std::shared_ptr<TileStore>& store,
                            const JobContext& context) {
   if (!options.layer.empty()) {
-    return usageError("--layer", "the layer is chosen of a single image; leave this out");
+    return usageError(kLayerChoice, "the layer is chosen of a single image; leave this out");
   }
   if (!options.colorSpace.empty() || options.exposure != 1.0) {
     return usageError(options.colorSpace.empty() ? kExposureChoice : kColorSpaceChoice,

@@ -1,7 +1,6 @@
 #include "src/images/codec/image_reader.h"
 
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 #include <optional>
 
@@ -59,13 +58,6 @@ bool isHarmless(ImageFileKind kind, const std::string& message) {
   return kind == ImageFileKind::jpeg &&
          (message.find("extraneous bytes") != std::string::npos ||
           message.find("Invalid SOS parameters") != std::string::npos);
-}
-
-// Whether the library says that it knows what this is, and that it does not read it.
-bool isOnlyUnsupported(std::string message) {
-  std::transform(message.begin(), message.end(), message.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return message.find("support") != std::string::npos;
 }
 
 Status checkLayout(const OIIO::ImageSpec& spec, const std::string& place) {

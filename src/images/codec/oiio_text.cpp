@@ -36,9 +36,8 @@ Error readingError(const std::string& message, const std::string& format,
                  "cannot allocate", "could not allocate", "failed to allocate", "no space for"})) {
     return resourceError(place, "not enough memory for the image; use a smaller one");
   }
-  if (saysOneOf(message, {"unsupported", "not supported", "not implemented", "not configured",
-                          "unknown compression", "cannot handle", "can't handle", "don't know how",
-                          "not yet supported", "no support"})) {
+  if (saysOneOf(message, {"support", "not implemented", "not configured", "unknown compression",
+                          "cannot handle", "can't handle", "don't know how"})) {
     return inputError(place, "this kind of " + format + " file is not supported (" + reason +
                                  "); save it in a more usual way");
   }

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "core/base/choice_place.h"
 #include "src/images/color/color_statement.h"
 
 namespace cutis {
@@ -46,7 +47,7 @@ Result<ColorStatement> chosen(const FileColors& file, const std::string& choice,
                                  ", and no other colour space can be chosen for them; leave the "
                                  "choice out");
   }
-  CUTIS_TRY(space, namedColorSpace(choice, "--colorspace"));
+  CUTIS_TRY(space, namedColorSpace(choice, kColorSpaceChoice));
   return ColorStatement{ColorSource::choice, "the choice", std::move(space), {}};
 }
 
