@@ -14,9 +14,9 @@
 #include "src/cli/standard_output.h"
 #include "src/cli/text_table.h"
 #include "src/files/io/atomic_write.h"
-#include "src/files/spectra/measured_spectra_file.h"
 #include "src/files/profiles/calibrated_profile.h"
 #include "src/files/rig_file.h"
+#include "src/files/spectra/measured_spectra_file.h"
 
 namespace cutis {
 namespace {
