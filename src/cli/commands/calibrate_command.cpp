@@ -143,7 +143,8 @@ Status runCalibrateCommand(const CalibrateCommand& command, Session& session) {
   inputs.push_back(command.recipe);
   CUTIS_CHECK(checkTextOutput(command.output, inputs));
   CUTIS_TRY(asked, repetitionsOf(command));
-  CUTIS_TRY(input, readInput(command, asked.halvings, {session.context.stop, {}, {}}));
+  CUTIS_TRY(input,
+            readInput(command, asked.halvings, {session.context.stop, {}, session.context.notice}));
   CUTIS_TRY(study, studyOf(input.recipe, input.spectra));
   study.halvings = asked.halvings;
   study.bootstraps = asked.bootstraps;
