@@ -18,7 +18,7 @@ Status checkTextOutput(const std::string& output, const std::vector<std::string>
   return checkWritable(output);
 }
 
-Status checkCaptureFolder(const std::string& output) {
+Status checkCaptureFolder(const std::string& output, bool overwrite) {
   const fs::path folder = fs::absolute(output).lexically_normal();
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
   std::error_code error;
@@ -32,6 +32,11 @@ Status checkCaptureFolder(const std::string& output) {
   if (!fs::is_empty(named, error) && !fs::exists(named / "capture.json", error)) {
     return resourceError(
         output, "the folder contains something other than a capture; name a new or empty one");
+  }
+  if (!overwrite && !fs::is_empty(named, error)) {
+    return usageError(output,
+                      "photographs stand in this folder; give --overwrite to replace them, or name "
+                      "another folder");
   }
   return checkWritable(named / "capture.json");
 }

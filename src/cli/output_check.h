@@ -16,7 +16,7 @@ Status checkDistinct(const std::string& output, const std::string& other);
 // A text, of whatever extension, could be written and is none of the inputs.
 Status checkTextOutput(const std::string& output, const std::vector<std::string>& inputs);
 
-// The folder of a capture could be written: it is new, empty or a capture already.
-Status checkCaptureFolder(const std::string& output);
+// The folder of a capture could be written: it is new or empty, or a capture that may be replaced.
+Status checkCaptureFolder(const std::string& output, bool overwrite);
 
 }  // namespace cutis

@@ -44,11 +44,7 @@ Result<SampleType> sampleTypeFor(const ExportTarget& target, const ImageHeader* 
 
 Status checkIsNoInput(const ExportTarget& target) {
   CUTIS_CHECK(checkNotInput(target.path.string(), target.inputs));
-  for (const std::string& source : target.sources) {
-    CUTIS_TRY(files, inputFiles(source));
-    CUTIS_CHECK(checkNotInput(target.path.string(), files));
-  }
-  return {};
+  return checkNotInput(target.path.string(), target.sources);
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "src/app/export/overwrite_protection.h"
 
+#include <set>
+#include <utility>
+
+#include "src/files/io/file_extension.h"
 #include "src/files/io/json_file.h"
-#include "src/images/capture/capture_file.h"
 
 namespace cutis {
 
@@ -16,34 +19,62 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
   return !error && first == second;
 }
 
-Result<std::vector<std::string>> inputFiles(const std::string& path) {
-  std::vector<std::string> files = {path};
-  if (!looksLikeCapture(path)) return files;
-  std::error_code ignored;
-  const fs::path manifest =
-      fs::is_directory(path, ignored) ? fs::path(path) / "capture.json" : fs::path(path);
-  if (!fs::exists(manifest, ignored)) return files;  // said when the capture is opened
-  const fs::path folder = manifest.parent_path();
-  files.push_back(manifest.string());
-  CUTIS_TRY(root, readJson(manifest));
-  // Only what is well said is looked at; the rest is for the reader of captures to object to.
-  if (const auto mask = root.text("mask", ""); mask && !mask.value().empty()) {
-    files.push_back((folder / mask.value()).string());
+namespace {
+
+constexpr std::size_t kLongestPath = 4096;
+constexpr char kManifest[] = "capture.json";
+
+bool isJson(const fs::path& path) {
+  const std::string extension = lowerExtension(path);
+  return extension == ".json" || extension == ".cutis";
+}
+
+// Adds a file that is there and what it names, unless it is known already.
+class InputCollector {
+ public:
+  void add(const fs::path& path) {
+    std::error_code error;
+    const fs::path file = fs::is_directory(path, error) ? path / kManifest : path;
+    files_.push_back(path.string());
+    if (file != path) files_.push_back(file.string());
+    if (!isJson(file) || !fs::is_regular_file(file, error)) return;
+    const fs::path canonical = fs::canonical(file, error);
+    if (error || !seen_.insert(canonical.string()).second) return;
+    // What cannot be read is for the reader of the file to object to.
+    const auto root = readJson(file);
+    if (!root) return;
+    for (const std::string& text : root.value().texts())
+      addNamed(text, file.parent_path());
   }
-  const auto images = root.array("images");
-  if (!images) return files;
-  for (const JsonValue& image : images.value()) {
-    if (!image.isObject()) continue;
-    if (const auto file = image.text("file", ""); file && !file.value().empty()) {
-      files.push_back((folder / file.value()).string());
-    }
+
+  std::vector<std::string> take() { return std::move(files_); }
+
+ private:
+  // From the folder of the file that names it; some kinds of files name from the working directory.
+  void addNamed(const std::string& text, const fs::path& folder) {
+    if (text.empty() || text.size() > kLongestPath) return;
+    std::error_code error;
+    if (fs::is_regular_file(folder / text, error)) add(folder / text);
+    if (isJson(text) && fs::is_regular_file(text, error)) add(text);
   }
-  return files;
+
+  std::vector<std::string> files_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+std::vector<std::string> inputFiles(const std::string& path) {
+  InputCollector collector;
+  collector.add(path);
+  return collector.take();
 }
 
 Status checkNotInput(const std::string& output, const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {
-    if (!input.empty() && isSameFile(output, input)) {
+    if (input.empty()) continue;
+    for (const std::string& file : inputFiles(input)) {
+      if (!isSameFile(output, file)) continue;
       return usageError(output,
                         "this file is read, and sources are never written to; write to "
                         "another file");

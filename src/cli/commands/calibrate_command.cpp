@@ -14,9 +14,9 @@
 #include "src/cli/standard_output.h"
 #include "src/cli/text_table.h"
 #include "src/files/io/atomic_write.h"
-#include "src/files/spectra/measured_spectra_file.h"
 #include "src/files/profiles/calibrated_profile.h"
 #include "src/files/rig_file.h"
+#include "src/files/spectra/measured_spectra_file.h"
 
 namespace cutis {
 namespace {
@@ -143,7 +143,8 @@ Status runCalibrateCommand(const CalibrateCommand& command, Session& session) {
   inputs.push_back(command.recipe);
   CUTIS_CHECK(checkTextOutput(command.output, inputs));
   CUTIS_TRY(asked, repetitionsOf(command));
-  CUTIS_TRY(input, readInput(command, asked.halvings, {session.context.stop, {}, {}}));
+  CUTIS_TRY(input,
+            readInput(command, asked.halvings, {session.context.stop, {}, session.context.notice}));
   CUTIS_TRY(study, studyOf(input.recipe, input.spectra));
   study.halvings = asked.halvings;
   study.bootstraps = asked.bootstraps;

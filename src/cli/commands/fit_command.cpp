@@ -30,8 +30,7 @@ Status checkFitOutputs(const FitCommand& command, const ExportTarget& target) {
   CUTIS_CHECK(checkMapsTarget(target));
   if (command.report.empty()) return {};
   CUTIS_CHECK(checkDistinct(command.report, command.output));
-  CUTIS_TRY(sourceFiles, inputFiles(command.sources.front()));
-  CUTIS_CHECK(checkNotInput(command.report, sourceFiles));
+  CUTIS_CHECK(checkNotInput(command.report, target.sources));
   return checkTextOutput(command.report, target.inputs);
 }
 

@@ -31,6 +31,7 @@ struct SimulateCommand {
   std::string seed;
   std::string profile;
   std::string output;
+  bool overwrite = false;
 };
 
 struct Subject {
@@ -91,14 +92,31 @@ Result<double> noiseOf(const SimulateCommand& command, const Rig& rig) {
   return realNumber("--noise", command.noise, 0.0, kMostNoise);
 }
 
+SampleType sampleTypeFor(double noise) {
+  return noise < kLeastNoiseInHalf ? SampleType::float32 : SampleType::half;
+}
+
+// Nothing that is written into the folder is a file that is read.
+Status checkFilesOf(const SimulateCommand& command, const Rig& rig, double noise) {
+  const std::vector<std::string> inputs = {command.maps, command.recipe, command.rig,
+                                           command.profile};
+  CUTIS_CHECK(checkNotInput(command.output, inputs));
+  std::vector<std::string> names = captureFileNames(rig, sampleTypeFor(noise));
+  if (command.maps.empty()) names.emplace_back(kGroundTruthFile);
+  for (const std::string& name : names) {
+    CUTIS_CHECK(checkNotInput((std::filesystem::path(command.output) / name).string(), inputs));
+  }
+  return {};
+}
+
 Status runSimulateCommand(const SimulateCommand& command, Session& session) {
   if (command.maps.empty() == command.patch.empty()) {
     return usageError("simulate", "name maps or give --patch WIDTHxHEIGHT, but not both");
   }
-  CUTIS_CHECK(checkNotInput(command.output, {command.maps, command.recipe, command.rig}));
-  CUTIS_CHECK(checkCaptureFolder(command.output));
+  CUTIS_CHECK(checkCaptureFolder(command.output, command.overwrite));
   CUTIS_TRY(rig, loadRig(command.rig.empty() ? kDefaultRig : command.rig, {}, "--rig"));
   CUTIS_TRY(noise, noiseOf(command, rig));
+  CUTIS_CHECK(checkFilesOf(command, rig, noise));
   CUTIS_TRY(subject,
             command.maps.empty() ? patchOf(command, rig, session) : mapsOf(command, session));
   const JobContext& context = session.context;
@@ -106,7 +124,7 @@ Status runSimulateCommand(const SimulateCommand& command, Session& session) {
                                     context.child(0.3, 0.6, "photographing")));
   CaptureWriteOptions options;
   options.rig = command.rig.empty() ? kDefaultRig : command.rig;
-  options.sampleType = noise < kLeastNoiseInHalf ? SampleType::float32 : SampleType::half;
+  options.sampleType = sampleTypeFor(noise);
   CUTIS_TRY(mask, skinMask(photographs, context.child(0.6, 0.62)));
   options.mask = mask;
   options.metadata = subject.metadata;
@@ -144,6 +162,8 @@ void addSimulateCommand(CLI::App& app, Invocation& invocation) {
             "Skin model: a built-in name or a JSON file (default: skin2026; maps carry their own)");
   addOption(command, "-o,--output", options->output, "FOLDER", "Folder of the capture to write")
       ->required();
+  command.add_flag("--overwrite", options->overwrite,
+                   "Replace the photographs of a capture that stands in the folder");
 }
 
 }  // namespace cutis

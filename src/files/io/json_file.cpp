@@ -86,6 +86,20 @@ std::vector<std::string> JsonValue::keys() const {
   return names;
 }
 
+std::vector<std::string> JsonValue::texts() const {
+  std::vector<std::string> found;
+  std::vector<const nlohmann::json*> open = {node_};
+  while (!open.empty()) {
+    const nlohmann::json& value = *open.back();
+    open.pop_back();
+    if (value.is_string()) found.push_back(value.get<std::string>());
+    if (!value.is_structured()) continue;
+    for (const nlohmann::json& element : value)
+      open.push_back(&element);
+  }
+  return found;
+}
+
 Error JsonValue::error(const std::string& demand) const {
   return inputError(file_, (path_.empty() ? "the file" : path_) + " must be " + demand);
 }

@@ -28,6 +28,8 @@ class JsonValue {
   bool has(const std::string& key) const;
   // Names of all fields, sorted.
   std::vector<std::string> keys() const;
+  // Every text in it, however deep; names of fields are left out.
+  std::vector<std::string> texts() const;
 
   Result<JsonValue> object(const std::string& key) const;
   // Elements of an array field.

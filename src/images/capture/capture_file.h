@@ -67,6 +67,10 @@ struct CaptureWriteOptions {
   std::function<Status(const std::filesystem::path& folder)> extra = {};
 };
 
+// The files that writeCapture() would write, less what `extra` adds, in the order of the lights,
+// then mask.png and capture.json.
+std::vector<std::string> captureFileNames(const Rig& rig, SampleType type);
+
 // Writes a new folder as a whole or not at all. In a folder that is a capture already, each file is
 // replaced as a whole, capture.json last; any other folder with something in it is refused.
 Status writeCapture(const std::filesystem::path& folder, const Measurements& measurements,

@@ -149,6 +149,13 @@ Status fillFolder(const fs::path& folder, const Measurements& measurements,
 
 }  // namespace
 
+std::vector<std::string> captureFileNames(const Rig& rig, SampleType type) {
+  std::vector<std::string> names = fileNames(rig, type);
+  names.emplace_back(kMaskFile);
+  names.emplace_back(kCaptureFile);
+  return names;
+}
+
 Status writeCapture(const fs::path& path, const Measurements& measurements,
                     const CaptureWriteOptions& options, const JobContext& context) {
   const fs::path folder = withoutTrailingSlash(path);

@@ -55,7 +55,10 @@ Status runRigCommand(const RigCommand& command, Session& session) {
     CUTIS_TRY(given, wholeNumber("--people", command.people, kFewestPeople, kMostPeople));
     people = given;
   }
-  if (!command.plot.empty()) CUTIS_CHECK(checkDrawingOutput(command.plot));
+  if (!command.plot.empty()) {
+    CUTIS_CHECK(checkNotInput(command.plot, {command.rig, command.profile, command.prior}));
+    CUTIS_CHECK(checkDrawingOutput(command.plot));
+  }
   CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
   CUTIS_TRY(rig, loadRig(command.rig, {}, "--rig"));
   if (!command.noise.empty()) {

@@ -179,7 +179,7 @@ Status runValidateCommand(const ValidateCommand& command, Session& session) {
   CUTIS_TRY(rig, loadRig(kRig, {}, "rig"));
   std::vector<DataSet> all;
   for (const std::string& path : command.spectra) {
-    CUTIS_TRY(data, readData(path, {session.context.stop, {}, {}}));
+    CUTIS_TRY(data, readData(path, {session.context.stop, {}, session.context.notice}));
     all.push_back(std::move(data));
   }
   CUTIS_CHECK(print(legend(), session));
