@@ -81,6 +81,12 @@ Workspace::Workspace(QWidget* middle, QWidget* parent) : QMainWindow(parent) {
   connect(this, &Workspace::docksChanged, this, &Workspace::tellWhatIsSeen);
 }
 
+// Docks still say that they go out of sight while they are taken down with the window.
+Workspace::~Workspace() {
+  for (const auto& [id, dock] : byId_)
+    dock->disconnect(this);
+}
+
 void Workspace::add(const std::vector<DockDescription>& docks) {
   for (const DockDescription& description : docks) {
     Q_ASSERT(description.makePanel && !byId_.contains(description.id));

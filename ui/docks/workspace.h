@@ -23,6 +23,7 @@ class Workspace : public QMainWindow {
  public:
   // Becomes the owner of the widget in the middle.
   explicit Workspace(QWidget* middle, QWidget* parent = nullptr);
+  ~Workspace() override;
 
   // Adds rows to the end of the table. Precondition: each id is new.
   void add(const std::vector<DockDescription>& docks);
