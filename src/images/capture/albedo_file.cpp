@@ -14,6 +14,7 @@
 #include "core/base/parallel.h"
 #include "core/spectra/colorimetry.h"
 #include "src/images/capture/mask_file.h"
+#include "src/images/image_layers.h"
 
 namespace cutis {
 namespace {

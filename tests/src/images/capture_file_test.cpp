@@ -155,9 +155,9 @@ class CaptureFileTest : public QObject {
 
   void statesFollowThePixels() {
     ImageContent content;
-    content.channelNames = {"R", "G", "B", "A"};
+    content.channelNames = {"R", "G", "B"};
     const std::vector<float> red = {0.5f, kNan, -0.1f, 0.0f, 65504.0f, 0.5f};
-    for (int c = 0; c < 4; ++c) {
+    for (int c = 0; c < 3; ++c) {
       content.channels.push_back(makePlane(
           6, 1, [&](int x, int) { return x == 3 ? 0.0f : red[static_cast<std::size_t>(x)]; }));
     }

@@ -200,7 +200,8 @@ class ExrEditionTest : public QObject {
                          SampleType::uint8, listener_.context()));
     QCOMPARE(readImageHeader(folder_.path("albedo.png"), {}).value().channelNames.size(),
              std::size_t{3});
-    QCOMPARE(listener_.sentences.size(), std::size_t{1});  // the other parts are left out
+    // The other parts are left out, and values above 1 are clipped.
+    QCOMPARE(listener_.sentences.size(), std::size_t{2});
   }
 
   void aChangedSourceIsSaid() {

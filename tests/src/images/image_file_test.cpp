@@ -238,6 +238,7 @@ class ImageFileTest : public QObject {
   void channelsAreFoundByName() {
     ImageContent content;
     content.channelNames = {"zebra", "B", "A", "R", "mask.inner", "G"};
+    content.alphaKind = AlphaKind::associated;  // as OpenEXR has it
     for (int c = 0; c < 6; ++c) {
       content.channels.push_back(
           makePlane(5, 5, [&](int, int) { return static_cast<float>(c) / 8.0f; }));

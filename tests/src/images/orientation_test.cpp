@@ -89,7 +89,8 @@ class OrientationTest : public QObject {
     QFETCH(int, tag);
     OIIO::ImageSpec spec(kWidth, kHeight, 3, OIIO::TypeUInt8);
     spec.attribute("Orientation", tag);
-    const auto path = folder_.path("turned." + format.toStdString());
+    // A name for each: OpenImageIO's cache knows files by their names.
+    const auto path = folder_.path("turned_" + std::to_string(tag) + "." + format.toStdString());
     test::writeForeign(path, format.toStdString(), spec, test::noise(kWidth * kHeight * 3));
     if (format == "png") test::addPngOrientation(path, tag);
     const auto image = readImage(path, {}, nullptr, {});
