@@ -62,8 +62,8 @@ constexpr Room kRooms[] = {
     {"src/files/profiles", "core/* resources src/files src/files/io"},
     {"src/files/networks", "core/* resources src/files src/files/io"},
 
-    {"src/images/codec", "core/base core/spectra src/files/io src/color"},
     {"src/color", "core/* src/files/*"},
+    {"src/images/codec", "core/base core/spectra src/files/io src/color"},
     {"src/images/color", "core/* src/files/io src/color src/images/codec"},
     {"src/images", "core/* src/files/io src/color src/images/codec src/images/color"},
     {"src/images/maps",
