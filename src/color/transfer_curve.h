@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/color
 
 // The curve between a channel's number and light, as files state it: a power, the parametric curves
 // of ICC profiles (ICC.1:2022, §10.18, types 0 to 4), the curves of ITU-T H.273, or samples.

@@ -64,8 +64,8 @@ constexpr Room kRooms[] = {
     {"src/files/networks", "core/* resources src/files src/files/io src/files/spectra"},
 
     {"src/images/pixels", "core/base"},
-    {"src/images/codec", "core/base core/spectra src/files/io src/color src/images/pixels"},
     {"src/color", "core/* src/files/*"},
+    {"src/images/codec", "core/base core/spectra src/files/io src/color src/images/pixels"},
     {"src/images/color", "core/* src/files/io src/color src/images/codec"},
     {"src/images",
      "core/* src/files/io src/color src/images/codec src/images/color src/images/pixels"},

@@ -187,7 +187,7 @@ Status ImageReader::openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints) {
     input_->close();
     if (input_->open(place_, spec, hints)) return {};
   }
-  if (!opened && kind_ == ImageFileKind::openExr) {
+  if (kind_ == ImageFileKind::openExr && reason.find("Subsampled") != std::string::npos) {
     auto input = openLumaChroma(place_);
     if (input && input->open(place_, spec)) {
       input_ = std::move(input);

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/codec
 
 // Pixels that are not stored as R, G and B: CIELab and inks in TIFF files.
 //
