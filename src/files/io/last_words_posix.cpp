@@ -1,4 +1,6 @@
+#include <atomic>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <system_error>
@@ -31,11 +33,29 @@ bool isLackOfMemory() {
 }
 
 void onTerminate() {
+  // Removing takes memory itself.
+  static std::atomic_flag entered;
+  if (entered.test_and_set()) ::_exit(kNoMemoryStatus);
   if (!isLackOfMemory()) std::abort();
   sayLastWords(kNoMemory);
   removeTemporaries();
   ::_exit(kNoMemoryStatus);
 }
+
+// Libraries need memory to set themselves up, which is before main(), and before everything of
+// ours.
+void watchLibraries(int, char** arguments, char**) {
+  if (arguments != nullptr && arguments[0] != nullptr) {
+    const char* slash = std::strrchr(arguments[0], '/');
+    program = slash != nullptr ? slash + 1 : arguments[0];
+  }
+  std::set_terminate(onTerminate);
+}
+
+#ifdef __linux__
+[[gnu::section(".preinit_array"),
+  gnu::used]] void (*const kBeforeLibraries)(int, char**, char**) = watchLibraries;
+#endif
 
 }  // namespace
 

@@ -106,7 +106,7 @@ class JobRunnerTest : public QObject {
     QTest::addColumn<QString>("words");
     QTest::newRow("an error") << 0 << "the disk is made of cheese";
     QTest::newRow("no memory") << 1 << "not enough memory";
-    QTest::newRow("anything") << 2 << "went wrong";
+    QTest::newRow("anything") << 2 << "Internal error";
   }
   void whatAJobThrowsIsOneSentence() {
     QFETCH(int, thrown);

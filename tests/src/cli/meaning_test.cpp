@@ -51,8 +51,9 @@ class MeaningTest : public QObject {
 
   void librariesDoNotSpeak() {
     run_.write("bad.png", pngWithBadPixels().toStdString());
+    run_.writeImage("small.png", skinTexture(8, 8, {"R", "G", "B"}), SampleType::uint8);
     for (const char* line : {"fit bad.png -o o.exr", "apply bad.png -o o.png",
-                             "fit skin.png --mask bad.png -o o.exr"}) {
+                             "fit small.png --mask bad.png -o o.exr"}) {
       const Outcome outcome = run_.run(line);
       QVERIFY2(isOneError(outcome.errors), outcome.errors.c_str());
       QVERIFY2(outcome.errors.find("damaged") != std::string::npos, outcome.errors.c_str());

@@ -142,7 +142,7 @@ std::string differences(const ProgramRun& run, const Row& row) {
   const char* alpha = "oiio:UnassociatedAlpha";
   const OIIO::ImageSpec raw = bufferOf(run / row.file()).spec();
   if (raw.get_int_attribute(alpha) != b.get_int_attribute(alpha)) differs("kind of alpha");
-  if (run.image(row.file()).colorSpace != run.image(row.again()).colorSpace &&
+  if (run.image(row.file()).colors.stated() != run.image(row.again()).colors.stated() &&
       row.colors != "nothing") {
     differs("colours declared");
   }

@@ -189,7 +189,7 @@ class AlbedoFileTest : public QObject {
                  "colour space of the file, for example Linear Rec.709");
     EXPECT_OK(read(folder_.path("mars.exr"), {.colorSpace = "ACEScg"}));
     EXPECT_ERROR(read(folder_.path("mars.exr"), {.colorSpace = "ACEScq"}),
-                 "--colorspace: unknown colour space 'ACEScq'");
+                 "colour space: unknown colour space 'ACEScq'");
   }
 
   void stopsWhenAsked() {

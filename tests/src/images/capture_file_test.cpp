@@ -150,7 +150,7 @@ class CaptureFileTest : public QObject {
     QCOMPARE(two.value().measurements.rig.channelName(0), std::string("white.R"));
     QCOMPARE(two.value().measurements.rig.channelName(3), std::string("white+green.R"));
     EXPECT_ERROR(read(folder_->root(), {.lights = {"infrared"}}), "no photograph under 'infrared'");
-    EXPECT_ERROR(read(folder_->root(), {.rig = "monitr"}), "--rig: unknown rig 'monitr'");
+    EXPECT_ERROR(read(folder_->root(), {.rig = "monitr"}), "rig: unknown rig 'monitr'");
   }
 
   void statesFollowThePixels() {

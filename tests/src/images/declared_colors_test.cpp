@@ -290,7 +290,7 @@ class DeclaredColorsTest : public QObject {
                          "chosen and is followed"));
     // A file that cannot be followed can be told what it is.
     QCOMPARE(outcome(png(cicp(9, 16)), "ACEScg"), std::string("ACEScg, against 1"));
-    EXPECT_ERROR(decide(png(""), "ACEScq"), "--colorspace: unknown colour space 'ACEScq'");
+    EXPECT_ERROR(decide(png(""), "ACEScq"), "colour space: unknown colour space 'ACEScq'");
   }
 
   void sentencesNameWhatIsFollowed() {
