@@ -15,9 +15,9 @@ namespace cutis {
 
 class SkinSpectra {
  public:
-  // For a profile without free constants, or with those that are free in maps: then it takes as long
-  // as FreeSkin::make at all wavelengths, some seconds. Errors: those of FreeSkin::make, none where
-  // nothing is free.
+  // For a profile without free constants, or with those that are free in maps: then it takes as
+  // long as FreeSkin::make at all wavelengths, some seconds. Errors: those of FreeSkin::make, none
+  // where nothing is free.
   static Result<SkinSpectra> make(std::shared_ptr<const SkinModel> model, const FreeConstants& free,
                                   const JobContext& context);
 

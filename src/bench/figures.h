@@ -156,8 +156,8 @@ const MethodFigures* figuresOf(const std::vector<MethodFigures>& all, BenchMetho
 // Pixels a side of the pictures that the paper and our own goals speak of.
 inline constexpr int kUsualSize = 2048;
 
-// The picture of uncorrelated pixels that a method's speed is quoted for: the largest up to kUsualSize that
-// was run, else one that was scaled; none if there is none.
+// The picture of uncorrelated pixels that a method's speed is quoted for: the largest up to
+// kUsualSize that was run, else one that was scaled; none if there is none.
 const PictureFigures* largestPicture(const BenchFigures& figures, BenchMethod method);
 // How many times as many pixels kUsualSize has.
 double usualScaling(int size);

@@ -108,9 +108,10 @@ constexpr Room kRooms[] = {
     {"ui/theme", "core/base"},
     {"ui/commands", "core/base ui/theme"},
     {"ui/plot", "core/base core/spectra src/report/* ui/theme"},
-    {"ui/widgets", "core/base core/spectra src/app/training ui/theme"},
+    {"ui/widgets", "core/base core/spectra core/skin/profile src/app/training ui/theme"},
     {"ui/view",
-     "core/base core/spectra core/skin/* src/app src/app/document ui/theme ui/plot ui/widgets"},
+     "core/base core/maths core/spectra core/skin/* src/app src/app/document ui/theme ui/plot "
+     "ui/widgets"},
     {"ui/docks", "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view"},
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/dialogs
 
 // How an image is to be read, chosen by a person: layer, colour space, exposure and mask, beside
 // what the file says of itself and what is assumed where it says nothing. Interface thread only.

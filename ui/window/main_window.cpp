@@ -69,6 +69,8 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
 
 MainWindow::~MainWindow() {
   jobs_.stopAll();
+  // Docks that go out of sight say so: while those they say it to are still there.
+  hide();
 }
 
 void MainWindow::fillTables() {

@@ -42,8 +42,8 @@ struct Chromophore {
   std::string symbol;  // "C_m": in narrow labels
   std::string unit;    // of the number
   SkinLayer layer = SkinLayer::epidermis;
-  // The absorption of a unit of it in that layer of a profile, net of the tissue it displaces; mm⁻¹. May be
-  // negative where it absorbs less than that tissue.
+  // The absorption of a unit of it in that layer of a profile, net of the tissue it displaces;
+  // mm⁻¹. May be negative where it absorbs less than that tissue.
   std::function<Spectrum(const Profile&)> absorption;
   // From 0. Of the five it is the paper's (Table 2); a profile has its own (Profile::axes).
   ParameterAxis range;

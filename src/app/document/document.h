@@ -3,8 +3,8 @@
 // One subject: what was opened, its maps, its edits.
 //
 // All change goes through apply(), undo(), fitWith() and open…(): they cancel what they invalidate,
-// keep the history and notify who watches. Reading and fitting run in the background; whatever can be
-// shown is shown before they end. The document never waits.
+// keep the history and notify who watches. Reading and fitting run in the background; whatever can
+// be shown is shown before they end. The document never waits.
 //
 // Lives on the interface thread. What pictures are made of is handed out as a Scene, which any
 // thread may read.

@@ -1,4 +1,3 @@
-#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -33,12 +32,13 @@ bool isLackOfMemory() {
 }
 
 void onTerminate() {
-  // Removing takes memory itself.
-  static std::atomic_flag entered;
-  if (entered.test_and_set()) ::_exit(kNoMemoryStatus);
   if (!isLackOfMemory()) std::abort();
   sayLastWords(kNoMemory);
-  removeTemporaries();
+  try {
+    removeTemporaries();
+  } catch (const std::exception&) {
+    // Before main there are none.
+  }
   ::_exit(kNoMemoryStatus);
 }
 

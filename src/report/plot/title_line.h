@@ -18,7 +18,8 @@ struct TitleLine {
   std::vector<LegendEntry> legend;
 };
 
-// The height of all lines that it takes between two sides so far apart; 0 if there is nothing to say.
+// The height of all lines that it takes between two sides so far apart; 0 if there is nothing to
+// say.
 double titleHeight(const TitleLine& line, double width, const PlotTheme& theme,
                    const TextMetrics& metrics);
 

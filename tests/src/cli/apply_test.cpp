@@ -45,12 +45,13 @@ class ApplyTest : public QObject {
 
   void uneditedPixelsAreTheSources() {
     QFETCH(QString, extension);
-    EXPECT_DONE(run_.run("apply skin." + extension + " -o same." + extension));
+    EXPECT_DONE(run_.run("apply skin." + extension + " -o same." + extension + " --quiet"));
     const Image source = run_.image("skin." + extension.toStdString());
     const Image same = run_.image("same." + extension.toStdString());
     QCOMPARE(same.channelNames, source.channelNames);
     QVERIFY(same.sourceType == source.sourceType);
-    QCOMPARE(same.colors.stated(), source.colors.stated());
+    QCOMPARE(decideColors(same.colors, {}, "same").value().followed.space.name,
+             decideColors(source.colors, {}, "source").value().followed.space.name);
     for (std::size_t k = 0; k < source.channels.size(); ++k) {
       QVERIFY2(valuesOf(same.channels[k]) == valuesOf(source.channels[k]),
                source.channelNames[k].c_str());

@@ -127,7 +127,7 @@ class BadInputTest : public QObject {
     green[2] = -5.0f;
     spoiled.channels[1] = planeOf(32, 24, green);
     run_.writeImage("spoiled.exr", spoiled, SampleType::float32);
-    EXPECT_DONE(run_.run("fit spoiled.exr -o spoiled_maps.exr --report spoiled.json"));
+    EXPECT_DONE(run_.run("fit spoiled.exr -o spoiled_maps.exr --report spoiled.json --exposure 1"));
     const auto report = nlohmann::json::parse(run_.read("spoiled.json"));
     QCOMPARE(report["pixels"]["invalid"].get<int>(), 3);
     EXPECT_DONE(run_.run("apply spoiled.exr --maps spoiled_maps.exr -o kept.exr --melanin 3"));

@@ -76,7 +76,7 @@ class FitOptionsTest : public QObject {
     const auto report = nlohmann::json::parse(run_.read("own.json"));
     EXPECT_AT_MOST(report["residual"]["mean"].get<double>(), 1e-3);
     QCOMPARE(report["pixels"]["no_convergence"].get<int>(), 0);
-    EXPECT_DONE(run_.run("render own.exr -o own.png --light A"));
+    EXPECT_DONE(run_.run("render own.exr -o own.png --light A --quiet"));
     EXPECT_DONE(run_.run("fit own -o searched.exr --profile skin2026 --method three-stage"));
   }
 

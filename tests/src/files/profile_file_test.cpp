@@ -331,7 +331,7 @@ class ProfileFileTest : public QObject {
     row("\"baseline_factor\": 0.48", "\"scattering_ratio\": 0.5",
         "dermis.scattering_ratio must be left out where the dermis has scattering laws");
     row("\"coefficient\": 2.585", "\"coefficient\": -258.5",
-        "dermis.reduced_scattering must be positive from 300 to 1000 nm");
+        "dermis.mie_scattering must be such that it scatters 0.001 to 10000 per mm");
     row("\"coefficient\": 2.115", "\"factor\": 2.115",
         "unknown field 'dermis.rayleigh_scattering.factor'");
     row("\"exponent\": -0.71, \"at_nm\": 550", "\"exponent\": -0.71, \"at_nm\": 0",
