@@ -39,7 +39,7 @@ class EditPanelTest : public test::UiTest {
   void linkedHaemoglobinsMoveTogetherAndEndOnce() {
     EditPanel panel;
     QSignalSpy changed(&panel, &EditPanel::factorChanged);
-    QTest::keyClick(sliderNamed(panel, "Haemoglobin epidermal"), Qt::Key_Right);
+    QTest::keyClick(sliderNamed(panel, "Epidermal haemoglobin"), Qt::Key_Right);
     QCOMPARE(changed.count(), 2);
     QCOMPARE(changed[0][0].toInt(), static_cast<int>(kHaemoglobinDermal));
     QCOMPARE(changed[0][2].toBool(), true);
@@ -51,7 +51,7 @@ class EditPanelTest : public test::UiTest {
   void unlinkedOnesMoveAlone() {
     EditPanel panel;
     panel.findChild<QCheckBox*>()->setChecked(false);
-    QTest::keyClick(sliderNamed(panel, "Haemoglobin dermal"), Qt::Key_Right);
+    QTest::keyClick(sliderNamed(panel, "Dermal haemoglobin"), Qt::Key_Right);
     QCOMPARE(panel.factors()[kHaemoglobinEpidermal], 1.0);
   }
 

@@ -28,8 +28,8 @@ class ErrorTableTest : public test::UiTest {
     QTest::addColumn<QString>("verdict");
     QTest::newRow("small") << 1e-6 << "Too small";
     QTest::newRow("middle") << 1e-4 << "slight";
-    QTest::newRow("large") << 1e-3 << "is seen";
-    QTest::newRow("no number") << std::nan("") << "is seen";
+    QTest::newRow("large") << 1e-3 << "visible difference";
+    QTest::newRow("no number") << std::nan("") << "visible difference";
   }
   void theVerdictFollowsTheErrorOfTheFit() {
     QFETCH(double, error);

@@ -166,6 +166,7 @@ void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
   start_->setDropLit(false);
   QStringList files;
   for (const QUrl& url : event->mimeData()->urls()) {
