@@ -4,7 +4,7 @@
 //
 //   sample                      open the embedded sample
 //   open PATH                   a capture, an image or maps
-//   view ID                    photograph, albedo, skin, melanin, …, uv, nir
+//   view ID                     photograph, albedo, skin, melanin, …, uv, nir
 //   factor NAME VALUE           melanin, melanin_blend, haemoglobin_dermal, …
 //   light NAME [OBSERVER]       shows the skin under it
 //   profile NAME|FILE           fits with it
