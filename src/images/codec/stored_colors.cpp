@@ -113,7 +113,8 @@ bool needsRawColors(ImageFileKind kind, const OIIO::ImageSpec& spec) {
 
 std::optional<StoredColors> storedColorsOf(ImageFileKind kind, const OIIO::ImageSpec& spec,
                                            const std::string& place) {
-  if (kind == ImageFileKind::jpeg && spec.get_string_attribute("jpeg:ColorSpace") == "CMYK") {
+  const std::string jpegColors = spec.get_string_attribute("jpeg:ColorSpace");
+  if (kind == ImageFileKind::jpeg && (jpegColors == "CMYK" || jpegColors == "YCbCrK")) {
     return StoredColors{"CMYK", 3, {}, "CMYK in a JPEG file, which is not supported"};
   }
   if (kind != ImageFileKind::tiff) return std::nullopt;

@@ -1,6 +1,8 @@
 // Pixels that are stored in other colours than red, green and blue: CIELab, luminance and chroma,
 // and inks. Files are made byte by byte.
 
+#include "src/images/codec/stored_colors.h"
+
 #include <QtTest>
 
 #include "src/images/image_file.h"
@@ -176,6 +178,19 @@ class StoredColorsTest : public QObject {
     EXPECT_NEAR(test::pixelOf(image.value().channels[2], 3, 4), 0.25, 2e-3);
     test::writeBytes(path, QByteArray::fromStdString((head + table + lines).substr(0, 500)));
     QVERIFY(readImage(path, {PixelFormat::float32}, nullptr, {}).failed());
+  }
+
+  // Both ways in which a JPEG file holds inks: OpenImageIO hands them over as if they were red,
+  // green and blue.
+  void inksInJpegAreRefused() {
+    for (const auto& [stored, refused] :
+         {std::pair{"CMYK", true}, {"YCbCrK", true}, {"YCbCr", false}, {"RGB", false}}) {
+      OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeUInt8);
+      spec.attribute("jpeg:ColorSpace", stored);
+      const auto colors = storedColorsOf(ImageFileKind::jpeg, spec, "a.jpg");
+      QCOMPARE(colors.has_value(), refused);
+      if (colors) QVERIFY(colors->objection.find("CMYK") != std::string::npos);
+    }
   }
 
   void inksNeedTheirProfile() {
