@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "core/base/echoed_text.h"
 #include "src/images/layer_choice.h"
 
 namespace cutis {
@@ -121,8 +122,8 @@ Result<ImageLayer> chooseLayer(const std::vector<ImageLayer>& layers, const std:
   if (meant != layers.end() && std::count_if(layers.begin(), layers.end(), isMeant) == 1) {
     return *meant;
   }
-  return inputError(place,
-                    "there is no layer '" + name + "' in this file; it has " + layerNames(layers));
+  return inputError(
+      place, "there is no layer " + inQuotes(name) + " in this file; it has " + layerNames(layers));
 }
 
 Result<std::vector<ImageLayer>> listLayers(const std::filesystem::path& path,
