@@ -11,7 +11,8 @@ cd "$cutis_root" || exit 1
 cutis_packages=(
   g++ cmake ninja-build pkg-config ccache
   qt6-base-dev qt6-svg-dev
-  libopenimageio-dev openimageio-tools libopenexr-dev libopencolorio-dev liblcms2-dev
+  libopenimageio-dev openimageio-tools libopenexr-dev libjpeg62-turbo-dev
+  libopencolorio-dev liblcms2-dev
   libeigen3-dev libtbb-dev libhwy-dev libcli11-dev nlohmann-json3-dev libxxhash-dev
   libimath-dev zlib1g-dev libbenchmark-dev clang-format
   xvfb fonts-dejavu-core

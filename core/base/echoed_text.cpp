@@ -8,6 +8,7 @@ namespace cutis {
 namespace {
 
 constexpr std::size_t kMostCharacters = 80;
+constexpr std::size_t kMostOfName = 70;
 constexpr char kEllipsis[] = "…";
 
 bool continues(char byte) {
@@ -36,6 +37,15 @@ std::size_t byteOf(std::string_view text, std::size_t character) {
   return at;
 }
 
+// With so many characters of the end, if it is too long.
+std::string cutTo(std::string_view text, std::size_t tail) {
+  const std::size_t count = characterCount(text);
+  if (count <= kMostCharacters) return onOneLine(std::string(text));
+  const std::size_t head = kMostCharacters - 1 - tail;
+  return onOneLine(std::string(text.substr(0, byteOf(text, head))) + kEllipsis +
+                   std::string(text.substr(byteOf(text, count - tail))));
+}
+
 }  // namespace
 
 std::string onOneLine(std::string text) {
@@ -44,14 +54,13 @@ std::string onOneLine(std::string text) {
 }
 
 std::string shortened(std::string_view text) {
-  std::string line(text);
-  const std::size_t count = characterCount(text);
-  if (count > kMostCharacters) {
-    constexpr std::size_t kHead = kMostCharacters / 2, kTail = kMostCharacters - kHead - 1;
-    line = std::string(text.substr(0, byteOf(text, kHead))) + kEllipsis +
-           std::string(text.substr(byteOf(text, count - kTail)));
-  }
-  return onOneLine(std::move(line));
+  return cutTo(text, kMostCharacters / 2 - 1);
+}
+
+std::string shortenedPlace(std::string_view place) {
+  const std::size_t slash = place.rfind('/');
+  const std::string_view name = slash == std::string_view::npos ? place : place.substr(slash);
+  return cutTo(place, std::clamp(characterCount(name), kMostCharacters / 2 - 1, kMostOfName));
 }
 
 std::string inQuotes(std::string_view text) {

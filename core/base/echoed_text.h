@@ -16,7 +16,11 @@ std::string onOneLine(std::string text);
 // middle. Bytes that are no UTF-8 stay.
 std::string shortened(std::string_view text);
 
-// The same in quotation marks: 'text'.
+// The same of a place, "folder/file:line": what is behind its last slash stays whole up to 70
+// characters, so that the file can be recognised.
+std::string shortenedPlace(std::string_view place);
+
+// At most 80 characters of a text in quotation marks: 'text'.
 std::string inQuotes(std::string_view text);
 
 }  // namespace cutis

@@ -11,13 +11,15 @@
 
 namespace cutis {
 
+// Hears one sentence, no final full stop. Called from any thread; may be empty.
+using Notice = std::function<void(const std::string& sentence)>;
+
 struct JobContext {
   // Checked at least every 0.05 s by everything that takes longer. A stopped operation returns
   // Cancelled and leaves nothing behind.
   std::stop_token stop;
   Progress progress;
-  // One sentence, no final full stop. Called from any thread; may be empty.
-  std::function<void(const std::string& sentence)> notice;
+  Notice notice;
 
   bool stopRequested() const { return stop.stop_requested(); }
   void say(const std::string& sentence) const {

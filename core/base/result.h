@@ -29,8 +29,8 @@ struct Error {
   // What is wrong, where in it; what to do. One sentence, no final full stop.
   std::string message;
 
-  // "place: message", on one line.
-  std::string text() const { return place.empty() ? message : place + ": " + message; }
+  // "place: message"; of a long place the ends, see shortenedPlace().
+  std::string text() const;
 };
 
 struct Cancelled {};

@@ -6,6 +6,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/echoed_text.h"
+#include "core/base/word_list.h"
 
 namespace cutis {
 namespace {
@@ -14,10 +15,10 @@ namespace {
 constexpr double kMostNoise = 1.0;
 
 std::string lightList(const Rig& rig) {
-  std::string list;
+  std::vector<std::string> names;
   for (const RigLight& light : rig.lights)
-    list += (list.empty() ? "" : ", ") + light.name;
-  return list;
+    names.push_back(light.name);
+  return wordList(names, ", ");
 }
 
 bool isPower(const Spectrum& spectrum) {

@@ -26,6 +26,7 @@ if(NOT CUTIS_CORE_ONLY)
   # Their CMake configurations on Debian 12 do not work without extra packages; pkg-config does.
   pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
   pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET OpenEXR)
+  pkg_check_modules(libjpeg REQUIRED IMPORTED_TARGET libjpeg)
   pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO)
   pkg_check_modules(lcms2 REQUIRED IMPORTED_TARGET lcms2)
   find_package(ZLIB REQUIRED)

@@ -7,10 +7,11 @@
 
 namespace cutis {
 
-Result<PictureRows> pictureRows(const PictureRequest& request, const PicturePlaces& places) {
+Result<PictureRows> pictureRows(const PictureRequest& request, const PicturePlaces& places,
+                                const Notice& notice) {
   if (request.band) return PictureRows{bandRow(*request.band), false};
-  CUTIS_TRY(light, loadLight({request.light, {}, places.light}));
-  CUTIS_TRY(eyes, loadCamera({request.observer, {}, places.observer}));
+  CUTIS_TRY(light, loadLight({request.light, {}, places.light, notice}));
+  CUTIS_TRY(eyes, loadCamera({request.observer, {}, places.observer, notice}));
   if (!eyes.isObserver) {
     const SpectrumRows rows = channelRows(light, eyes.sensor);
     if ((rows == 0.0).all()) {

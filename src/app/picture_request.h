@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/spectra/colorimetry.h"
 #include "core/spectra/grid.h"
@@ -35,8 +36,9 @@ struct PicturePlaces {
   std::string observer = {};
 };
 
-// Reads each file that the request names once.
-Result<PictureRows> pictureRows(const PictureRequest& request, const PicturePlaces& places);
+// Reads each file that the request names once; `notice` hears what of it was left out.
+Result<PictureRows> pictureRows(const PictureRequest& request, const PicturePlaces& places,
+                                const Notice& notice = {});
 
 // "uv" and "nir", or "A:B" in nm; both ends included. Fails with a sentence for anything else.
 Result<Band> parseBand(const std::string& text, const std::string& place);

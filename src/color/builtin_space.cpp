@@ -10,6 +10,7 @@
 
 #include "core/spectra/rgb_primaries.h"
 #include "src/color/matrix_space.h"
+#include "src/color/video_curve.h"
 
 namespace cutis {
 namespace {
@@ -60,6 +61,14 @@ const std::vector<Space>& spaces() {
        &kRec709,
        TransferCurve::power(2.2),
        {"gamma22", "gammacorrected22", "g22rec709", "g22rec709scene", "gamma22encodedrec709"}},
+      {"Rec.2100 PQ",
+       &kRec2020,
+       pqCurve(),
+       {"rec2100pqdisplay", "rec2020pq", "pqrec2020", "pqrec2020display", "st2084rec2020"}},
+      {"Rec.2100 HLG",
+       &kRec2020,
+       hlgCurve(),
+       {"rec2100hlgdisplay", "rec2020hlg", "hlgrec2020", "hlgrec2020display"}},
       {"Raw", nullptr, TransferCurve(), {"none", "data", "utilityraw"}},
   };
   return all;

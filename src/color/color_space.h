@@ -3,11 +3,12 @@
 // Colour spaces: what R, G and B of a picture mean, to and from linear Rec.709.
 //
 // Known by name without any file: sRGB, Linear Rec.709, ACEScg, ACES2065-1, Linear Rec.2020, Linear
-// P3-D65, Display P3, Adobe RGB (1998), Gamma 2.2 Rec.709 and Raw (numbers taken as they are).
-// Case, blanks and separators do not matter, and the names other programs give them are understood
-// (lin_rec709, lin_srgb, linear, lin_ap1, …). If $OCIO names an OpenColorIO configuration, its
-// colour spaces, aliases and roles are found too, and before the ones above: a space of the
-// configuration that means something else than ours of the same name is called "sRGB ($OCIO)".
+// P3-D65, Display P3, Adobe RGB (1998), Gamma 2.2 Rec.709, Rec.2100 PQ, Rec.2100 HLG and Raw
+// (numbers taken as they are). Case, blanks and separators do not matter, and the names other
+// programs give them are understood (lin_rec709, lin_srgb, linear, lin_ap1, …). If $OCIO names an
+// OpenColorIO configuration, its colour spaces, aliases and roles are found too, and before the
+// ones above: a space of the configuration that means something else than ours of the same name is
+// called "sRGB ($OCIO)".
 //
 // White stays white: spaces with another white point are adapted (Bradford). Values below 0 and
 // above 1 are carried through; transfer curves continue oddly below 0. NaN in a channel gives NaN
@@ -72,7 +73,14 @@ const ColorSpace& builtInColorSpace(const std::string& name);
 // x, y of red, green, blue and white. Gets the name of a built-in space where it is one. Fails with
 // a sentence if the primaries span no space.
 Result<ColorSpace> spaceOfPrimaries(const std::array<double, 8>& chromaticities,
+                                    const std::array<TransferCurve, 3>& curves,
+                                    const std::string& place);
+Result<ColorSpace> spaceOfPrimaries(const std::array<double, 8>& chromaticities,
                                     const TransferCurve& curve, const std::string& place);
+
+// The space in numbers of which these mean black and white, as video counts. Precondition: it has a
+// matrix.
+ColorSpace inNarrowRange(const ColorSpace& space, double black, double white);
 
 // The largest difference in linear light between what two spaces make of the same numbers from 0 to
 // 1; white is 1.

@@ -61,13 +61,6 @@ TransferCurve curveOf(const cmsToneCurve* tone) {
   return TransferCurve::sampled(std::move(light));
 }
 
-bool goesUp(const TransferCurve& curve) {
-  const double low = curve.toLight(0.0), middle = curve.toLight(0.5), high = curve.toLight(1.0);
-  const double back = curve.fromLight(middle);
-  return std::isfinite(low) && std::isfinite(back) && high > low && low <= middle &&
-         middle <= high && high < 100.0;
-}
-
 bool hasTable(cmsHPROFILE profile) {
   for (const cmsTagSignature tag :
        {cmsSigAToB0Tag, cmsSigAToB1Tag, cmsSigAToB2Tag, cmsSigDToB0Tag, cmsSigDToB1Tag}) {
@@ -141,7 +134,7 @@ class Reader {
         return refused(library_->complaint("it has neither a matrix with curves nor a table"));
       colorants.col(static_cast<Eigen::Index>(c)) << xyz->X, xyz->Y, xyz->Z;
       space.curves[c] = curveOf(tone);
-      if (!goesUp(space.curves[c])) return refused("a curve of it does not rise");
+      if (!space.curves[c].isRising()) return refused("a curve of it does not rise");
     }
     space.toRec709 = rec709FromD50() * colorants;
     if (!(std::abs(space.toRec709.determinant()) > kLeastDeterminant))
@@ -165,7 +158,7 @@ class Reader {
         samples.push_back(light[i + 1]);
       curve = TransferCurve::sampled(std::move(samples));
     }
-    if (!goesUp(curve)) return refused("its curve does not rise");
+    if (!curve.isRising()) return refused("its curve does not rise");
     ColorMatrix space = {
         {curve, curve, curve}, Eigen::Matrix3d::Identity(), kRec709.chromaticities};
     ColorSpace made = matrixSpace(nameOf(), std::move(space));

@@ -33,8 +33,8 @@ struct IccProfile {
 
 Result<IccProfile> readIccProfile(std::string_view bytes, const std::string& place);
 
-// An ICC profile (version 4) of a space of curves and a matrix; empty for any other. The same bytes
-// for the same space.
+// An ICC profile (version 4) of a space of curves and a matrix; empty for any other, and for curves
+// that profiles do not have (PQ, HLG). The same bytes for the same space.
 std::string iccProfileOf(const ColorSpace& space);
 
 }  // namespace cutis

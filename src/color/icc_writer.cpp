@@ -42,6 +42,7 @@ std::string textTag(const std::string& text) {
   return tag;
 }
 
+// Precondition: the curve has parameters or samples.
 std::string curveTag(const TransferCurve& curve) {
   if (const auto p = curve.parameters()) {
     std::string tag("para\0\0\0\0\0\4\0\0", 12);
@@ -111,6 +112,9 @@ std::string profileOf(const std::vector<Tag>& tags) {
 
 std::string iccProfileOf(const ColorSpace& space) {
   if (!space.matrix) return {};
+  for (const TransferCurve& curve : space.matrix->curves) {
+    if (!curve.parameters() && curve.samples().empty()) return {};
+  }
   const Eigen::Vector3d d65 = kRec709.xyzOfWhite(), d50(0.9642, 1.0, 0.8249);
   const Eigen::Matrix3d toD50 = adaptationMatrix(ChromaticAdaptation::bradford, d65, d50);
   const Eigen::Matrix3d colorants = toD50 * xyzFromRgb(kRec709) * space.matrix->toRec709;

@@ -63,6 +63,7 @@ std::vector<float> grid() {
 
 std::string descriptionOf(const std::array<double, 8>& chromaticities, const TransferCurve& curve) {
   std::string text = curve.isLinear() ? "linear" : "curved";
+  if (!curve.formulaName().empty()) text = curve.formulaName();
   if (const auto p = curve.parameters(); p && *p == TransferCurve::Parameters{.g = p->g}) {
     text = p->g == 1.0 ? "linear" : "gamma " + formatNumber(p->g, 4);
   }
@@ -101,6 +102,13 @@ double differenceOf(const ColorSpace& a, const ColorSpace& b) {
   return largest;
 }
 
+ColorSpace inNarrowRange(const ColorSpace& space, double black, double white) {
+  ColorMatrix matrix = *space.matrix;
+  for (TransferCurve& curve : matrix.curves)
+    curve = curve.between(black, white);
+  return matrixSpace(space.name + ", narrow range", std::move(matrix));
+}
+
 ColorSpace builtInLike(const ColorSpace& space) {
   for (const std::string& name : builtInSpaceNames()) {
     const ColorSpace& known = builtInColorSpace(name);
@@ -110,7 +118,8 @@ ColorSpace builtInLike(const ColorSpace& space) {
 }
 
 Result<ColorSpace> spaceOfPrimaries(const std::array<double, 8>& chromaticities,
-                                    const TransferCurve& curve, const std::string& place) {
+                                    const std::array<TransferCurve, 3>& curves,
+                                    const std::string& place) {
   const auto finite = [](double v) { return std::isfinite(v) && std::abs(v) < 1e3; };
   const RgbPrimaries primaries = {"", chromaticities};
   const bool sane =
@@ -130,10 +139,15 @@ Result<ColorSpace> spaceOfPrimaries(const std::array<double, 8>& chromaticities,
                       "the primaries and the white that the file states span no colours; name "
                       "its colour space");
   }
-  ColorMatrix space = {{curve, curve, curve}, matrix, chromaticities};
-  ColorSpace made = matrixSpace(descriptionOf(chromaticities, curve), std::move(space));
+  ColorMatrix space = {curves, matrix, chromaticities};
+  ColorSpace made = matrixSpace(descriptionOf(chromaticities, curves.front()), std::move(space));
   ColorSpace known = builtInLike(made);
   return known.empty() ? made : known;
+}
+
+Result<ColorSpace> spaceOfPrimaries(const std::array<double, 8>& chromaticities,
+                                    const TransferCurve& curve, const std::string& place) {
+  return spaceOfPrimaries(chromaticities, std::array{curve, curve, curve}, place);
 }
 
 }  // namespace cutis

@@ -84,21 +84,51 @@ TransferCurve TransferCurve::sampled(std::vector<double> light) {
   return curve;
 }
 
+TransferCurve TransferCurve::ofFormula(const Formula& formula) {
+  TransferCurve curve;
+  curve.formula_ = &formula;
+  return curve;
+}
+
+TransferCurve TransferCurve::between(double black, double white) const {
+  TransferCurve curve = *this;
+  curve.black_ = black;
+  curve.white_ = white;
+  return curve;
+}
+
+double TransferCurve::lightAt(double number) const {
+  if (formula_ != nullptr) return formula_->toLight(number);
+  return samples_ ? interpolated(*samples_, number) : curveAt(parameters_, number);
+}
+
+double TransferCurve::numberAt(double light) const {
+  if (formula_ != nullptr) return formula_->fromLight(light);
+  return samples_ ? positionOf(*rising_, light) : inverseAt(parameters_, light);
+}
+
 double TransferCurve::toLight(double number) const {
-  const bool mirrored = odd_ && number < 0.0;
-  const double x = mirrored ? -number : number;
-  const double y = samples_ ? interpolated(*samples_, x) : curveAt(parameters_, x);
+  const double own = (number - black_) / (white_ - black_);
+  const bool mirrored = odd_ && own < 0.0;
+  const double y = lightAt(mirrored ? -own : own);
   return mirrored ? -y : y;
 }
 
 double TransferCurve::fromLight(double light) const {
   const bool mirrored = odd_ && light < 0.0;
-  const double y = mirrored ? -light : light;
-  const double x = samples_ ? positionOf(*rising_, y) : inverseAt(parameters_, y);
-  return mirrored ? -x : x;
+  const double own = numberAt(mirrored ? -light : light);
+  return black_ + (mirrored ? -own : own) * (white_ - black_);
+}
+
+bool TransferCurve::isRising() const {
+  const double low = toLight(0.0), middle = toLight(0.5), high = toLight(1.0);
+  const double back = fromLight(middle);
+  return std::isfinite(low) && std::isfinite(back) && high > low && low <= middle &&
+         middle <= high && high < 100.0;
 }
 
 bool TransferCurve::isLinear() const {
+  if (formula_ != nullptr || isBetweenOthers()) return false;
   if (!samples_) return parameters_ == Parameters();
   const double steps = static_cast<double>(samples_->size() - 1);
   for (std::size_t i = 0; i < samples_->size(); ++i) {
@@ -109,12 +139,13 @@ bool TransferCurve::isLinear() const {
 }
 
 std::optional<TransferCurve::Parameters> TransferCurve::parameters() const {
-  return samples_ ? std::nullopt : std::optional(parameters_);
+  if (samples_ || formula_ != nullptr || isBetweenOthers()) return std::nullopt;
+  return parameters_;
 }
 
 const std::vector<double>& TransferCurve::samples() const {
   static const std::vector<double> none;
-  return samples_ ? *samples_ : none;
+  return samples_ && !isBetweenOthers() ? *samples_ : none;
 }
 
 }  // namespace cutis

@@ -25,7 +25,7 @@ constexpr double kLeastShare = 1e-6, kMostShare = 1e6;
 using Primaries = std::optional<std::array<Spectrum, 3>>;
 
 Result<RigLight> parseLight(const JsonValue& object, const fs::path& folder,
-                            const Primaries& primaries) {
+                            const Primaries& primaries, const Notice& notice) {
   CUTIS_CHECK(object.allowOnly({"name", "mix", "spectrum"}));
   RigLight light;
   CUTIS_TRY(name, object.text("name"));
@@ -35,7 +35,7 @@ Result<RigLight> parseLight(const JsonValue& object, const fs::path& folder,
   }
   if (object.has("spectrum")) {
     CUTIS_TRY(reference, object.text("spectrum"));
-    CUTIS_TRY(power, loadLight({reference, folder, object.file()}));
+    CUTIS_TRY(power, loadLight({reference, folder, object.file(), notice}));
     light.power = power;
     return light;
   }
@@ -65,7 +65,7 @@ Result<NoiseModel> parseNoise(const JsonValue& root) {
   return NoiseModel{read, proportional};
 }
 
-Result<Rig> parseRig(const JsonValue& root, const fs::path& folder) {
+Result<Rig> parseRig(const JsonValue& root, const fs::path& folder, const Notice& notice) {
   CUTIS_CHECK(checkVersion(root, "cutis_rig", kNewestRig));
   CUTIS_CHECK(root.allowOnly(
       {"cutis_rig", "name", "description", "camera", "primaries", "lights", "noise"}));
@@ -75,20 +75,20 @@ Result<Rig> parseRig(const JsonValue& root, const fs::path& folder) {
   CUTIS_TRY(cameraObject, root.object("camera"));
   CUTIS_CHECK(cameraObject.allowOnly({"sensitivity"}));
   CUTIS_TRY(sensitivity, cameraObject.text("sensitivity"));
-  CUTIS_TRY(camera, loadCamera({sensitivity, folder, root.file()}));
+  CUTIS_TRY(camera, loadCamera({sensitivity, folder, root.file(), notice}));
   rig.camera = camera;
   Primaries primaries;
   if (root.has("primaries")) {
     CUTIS_TRY(object, root.object("primaries"));
     CUTIS_CHECK(object.allowOnly({"file"}));
     CUTIS_TRY(file, object.text("file"));
-    CUTIS_TRY(loaded, loadPrimaries({file, folder, root.file()}));
+    CUTIS_TRY(loaded, loadPrimaries({file, folder, root.file(), notice}));
     primaries = loaded;
   }
   CUTIS_TRY(lights, root.array("lights"));
   for (const JsonValue& object : lights) {
     if (!object.isObject()) return object.error("an object with a name and a mix or spectrum");
-    CUTIS_TRY(light, parseLight(object, folder, primaries));
+    CUTIS_TRY(light, parseLight(object, folder, primaries, notice));
     rig.lights.push_back(std::move(light));
   }
   CUTIS_TRY(noise, parseNoise(root));
@@ -104,10 +104,10 @@ std::vector<std::string> rigNames() {
 }
 
 Result<Rig> loadRig(const std::string& nameOrPath, const std::string& folder,
-                    const std::string& place) {
+                    const std::string& place, const Notice& notice) {
   if (const auto text = resource("rigs/" + nameOrPath + ".json")) {
     CUTIS_TRY(root, parseJson(*text, "built-in rig " + nameOrPath));
-    return parseRig(root, {});
+    return parseRig(root, {}, notice);
   }
   if (nameOrPath.find('/') == std::string::npos && !nameOrPath.ends_with(".json")) {
     return inputError(place, "unknown rig " + inQuotes(nameOrPath) + "; " +
@@ -115,7 +115,7 @@ Result<Rig> loadRig(const std::string& nameOrPath, const std::string& folder,
   }
   const fs::path path = fs::path(folder) / nameOrPath;
   CUTIS_TRY(root, readJson(path));
-  CUTIS_TRY(rig, parseRig(root, path.parent_path()));
+  CUTIS_TRY(rig, parseRig(root, path.parent_path(), notice));
   rig.file = path.string();
   return std::move(rig);
 }

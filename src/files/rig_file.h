@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 
@@ -14,8 +15,9 @@ namespace cutis {
 std::vector<std::string> rigNames();
 
 // A built-in name or a path; a relative path starts at `folder` (empty: working directory). Checked
-// with validate(). `place` stands in front of an error about the name itself.
+// with validate(). `place` stands in front of an error about the name itself; `notice` hears what
+// of its files of spectra was left out.
 Result<Rig> loadRig(const std::string& nameOrPath, const std::string& folder,
-                    const std::string& place);
+                    const std::string& place, const Notice& notice = {});
 
 }  // namespace cutis

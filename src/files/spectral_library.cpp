@@ -60,7 +60,11 @@ Result<SpectralTable> loadTable(const Reference& reference, const char* what,
                       std::string("unknown ") + what + " " + inQuotes(reference.name) + "; " +
                           suggestName(reference.name, known) + ", or name a CSV file");
   }
-  return readSpectralCsv(path);
+  CUTIS_TRY(table, readSpectralCsv(path));
+  for (const std::string& note : table.notes) {
+    if (reference.notice) reference.notice(note);
+  }
+  return std::move(table);
 }
 
 // Positions of three named columns; nothing if one is missing.

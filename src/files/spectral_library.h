@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 #include "core/spectra/colorimetry.h"
@@ -24,11 +25,13 @@ std::vector<std::string> observerNames();
 std::vector<std::string> displayNames();
 
 // `folder` is where relative paths start: the folder of the file that names them, or empty for the
-// working directory. `place` stands in front of errors about the reference itself.
+// working directory. `place` stands in front of errors about the reference itself. `notice` hears
+// what of a file was left out or is questionable.
 struct Reference {
   std::string name;
   std::filesystem::path folder;
   std::string place;
+  Notice notice = {};
 };
 
 // Relative power; a file with several columns is their sum (a display at white).

@@ -117,9 +117,9 @@ Result<std::vector<SampleType>> writableSampleTypes(const std::filesystem::path&
 // Whether this could be written, found out before any work is done: format, sample type, folder.
 Status checkImageOutput(const std::filesystem::path& path, SampleType type);
 
-// Whether a file of this name can say that its colours are of this space. Precondition: a format
-// that is written.
-bool canStateColors(const std::filesystem::path& path, const ColorSpace& space);
+// Whether a file of this name and samples can say that its colours are of this space. Precondition:
+// a format that is written.
+bool canStateColors(const std::filesystem::path& path, SampleType type, const ColorSpace& space);
 
 // Replaces the file as a whole or leaves it as it was. Channels the format has no place for are
 // left out with a notice. A changed OpenEXR picture that is written as OpenEXR keeps windows,

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/echoed_text.h"
+#include "core/base/word_list.h"
 #include "src/images/layer_choice.h"
 
 namespace cutis {
@@ -77,10 +78,7 @@ std::string nameIn(const ImagePart& part, const ImageLayer& layer, bool severalP
 
 std::string shownName(const ImageLayer& layer) {
   if (!layer.name.empty()) return "'" + layer.name + "'";
-  std::string channels;
-  for (const std::string& channel : layer.channelNames)
-    channels += (channels.empty() ? "" : ", ") + channel;
-  return channels;
+  return wordList(layer.channelNames, ", ");
 }
 
 }  // namespace
@@ -133,12 +131,10 @@ Result<std::vector<ImageLayer>> listLayers(const std::filesystem::path& path,
 }
 
 std::string layerNames(const std::vector<ImageLayer>& layers) {
-  std::string list;
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    if (i > 0) list += i + 1 == layers.size() ? " and " : ", ";
-    list += shownName(layers[i]);
-  }
-  return list;
+  std::vector<std::string> names;
+  for (const ImageLayer& layer : layers)
+    names.push_back(shownName(layer));
+  return wordList(names, " and ");
 }
 
 }  // namespace cutis

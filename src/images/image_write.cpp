@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/base/parallel.h"
+#include "core/base/word_list.h"
 #include "src/files/io/atomic_write.h"
 #include "src/images/codec/image_formats.h"
 #include "src/images/codec/image_writer.h"
@@ -17,10 +18,10 @@ namespace cutis {
 namespace {
 
 std::string listOf(const std::vector<SampleType>& types) {
-  std::string list;
+  std::vector<std::string> names;
   for (const SampleType type : types)
-    list += (list.empty() ? "" : ", ") + sampleTypeName(type);
-  return list;
+    names.push_back(sampleTypeName(type));
+  return wordList(names, ", ");
 }
 
 bool isAlpha(const std::string& name) {
@@ -295,8 +296,8 @@ Status checkImageOutput(const std::filesystem::path& path, SampleType type) {
   return checkWritable(path);
 }
 
-bool canStateColors(const std::filesystem::path& path, const ColorSpace& space) {
-  return canStateColors(writtenFormat(path).value()->kind, space);
+bool canStateColors(const std::filesystem::path& path, SampleType type, const ColorSpace& space) {
+  return canStateColors(writtenFormat(path).value()->kind, type, space);
 }
 
 Status writeImage(const std::filesystem::path& path, const ImageContent& content, SampleType type,

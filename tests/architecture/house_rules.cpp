@@ -48,6 +48,7 @@ std::string libraryObjection(const std::string& folder, const std::string& heade
   if (header.starts_with("OpenImageIO") && folder != "src/images") {
     return "only src/images includes OpenImageIO";
   }
+  if (header == "jpeglib.h" && folder != "src/images") return "only src/images includes libjpeg";
   if (header.starts_with("OpenColorIO") && folder != "src/color") {
     return "only src/color includes OpenColorIO";
   }
@@ -68,6 +69,7 @@ std::string libraryObjection(const std::string& folder, const std::string& heade
 std::string linkObjection(const std::string& folder, const std::string& library) {
   const auto is = [&](const char* part) { return library.find(part) != std::string::npos; };
   if (is("OpenImageIO") && folder != "src/images") return "only src/images links OpenImageIO";
+  if (is("libjpeg") && folder != "src/images") return "only src/images links libjpeg";
   if (is("OpenColorIO") && folder != "src/color") return "only src/color links OpenColorIO";
   if (is("lcms2") && folder != "src/color") return "only src/color links LittleCMS";
   if (!library.starts_with("Qt6::")) return {};

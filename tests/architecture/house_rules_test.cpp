@@ -178,6 +178,8 @@ class HouseRulesTest : public QObject {
     QVERIFY(!included("core/skin/a.h", "<OpenImageIO/imageio.h>").empty());
     QVERIFY(!included("src/files/a.h", "<OpenImageIO/imageio.h>").empty());
     QVERIFY(!included("src/color/a.h", "<OpenImageIO/imageio.h>").empty());
+    QVERIFY(!included("src/color/a.h", "<jpeglib.h>").empty());
+    QVERIFY(included("src/images/a.h", "<jpeglib.h>").empty());
     QVERIFY(included("src/images/a.h", "<OpenImageIO/imageio.h>").empty());
     QVERIFY(!included("src/images/a.h", "<OpenColorIO/OpenColorIO.h>").empty());
     QVERIFY(included("src/color/a.h", "<OpenColorIO/OpenColorIO.h>").empty());
@@ -215,8 +217,9 @@ class HouseRulesTest : public QObject {
     for (const char* bad :
          {"core/skin: core/fit", "core/edit: core/base core/rig", "src/files: src/images",
           "core/base: | Qt6::Core", "src/files: | PkgConfig::OpenImageIO",
-          "src/images: | PkgConfig::OpenColorIO", "src/app: | Qt6::Core Qt6::Gui",
-          "src/report: | Qt6::Widgets", "core/new: core/base", "nonsense"}) {
+          "src/color: | PkgConfig::libjpeg", "src/images: | PkgConfig::OpenColorIO",
+          "src/app: | Qt6::Core Qt6::Gui", "src/report: | Qt6::Widgets", "core/new: core/base",
+          "nonsense"}) {
       QCOMPARE(checkLinks(bad).size(), std::size_t{1});
     }
   }

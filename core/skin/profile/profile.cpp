@@ -20,6 +20,8 @@ constexpr double kLargestMaximum = 1e6;
 
 // A shift or a smoothing beyond it would be another chromophore.
 constexpr double kMaximumShiftNm = 100.0;
+// Of places and lengths on the scale of wavelengths.
+constexpr double kFarthestNm = 1e5;
 
 bool isBetween(double low, double value, double high) {
   return value >= low && value <= high;
@@ -70,11 +72,20 @@ Status validateParameters(const Profile& profile, const std::string& place) {
                  "at most 10 million, the entries of the largest table of skin");
 }
 
+// What one constant absorbs by itself.
+Status validateAbsorber(const Spectrum& absorption, const std::string& place,
+                        const std::string& field) {
+  return require(absorption.isFinite().all() && (absorption.abs() < kMaximumAbsorptionPerMm).all(),
+                 place, field, "such that it absorbs below a million per mm from 300 to 1000 nm");
+}
+
 Status validateTail(const ExponentialTail& tail, const std::string& place,
                     const std::string& field) {
-  CUTIS_CHECK(require(std::isfinite(tail.amplitude) && std::isfinite(tail.originNm), place, field,
-                      "finite"));
-  return require(tail.decayNm > 0.0, place, field + ".decay_nm", "positive");
+  CUTIS_CHECK(require(isBetween(-kFarthestNm, tail.originNm, kFarthestNm), place,
+                      field + ".origin_nm", "between -100000 and 100000"));
+  CUTIS_CHECK(require(tail.decayNm > 0.0 && tail.decayNm <= kFarthestNm, place, field + ".decay_nm",
+                      "positive and at most 100000"));
+  return validateAbsorber(onGrid(tail), place, field + ".amplitude");
 }
 
 Status validateBlood(const BloodOptics& blood, const std::string& place, const std::string& field) {
@@ -97,9 +108,12 @@ Status validateCarotene(const CaroteneInSkin& carotene, const std::string& place
 Status validateFat(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(
       require(isFraction(profile.dermalFat), place, "dermis.fat_fraction", "between 0 and 1"));
-  CUTIS_CHECK(require(profile.fat.peak >= 0.0 && std::isfinite(profile.fat.peak), place,
-                      "absorption.fat.peak", "finite and not negative"));
-  return require(profile.fat.deviationNm > 0.0, place, "absorption.fat.deviation_nm", "positive");
+  CUTIS_CHECK(require(isBetween(0.0, profile.fat.peak, kMaximumAbsorptionPerMm), place,
+                      "absorption.fat.peak", "between 0 and a million"));
+  CUTIS_CHECK(require(isBetween(0.0, profile.fat.centreNm, kFarthestNm), place,
+                      "absorption.fat.centre_nm", "between 0 and 100000"));
+  return require(profile.fat.deviationNm > 0.0 && profile.fat.deviationNm <= kFarthestNm, place,
+                 "absorption.fat.deviation_nm", "positive and at most 100000");
 }
 
 Status validateLaw(const PowerLaw& law, const std::string& place, const std::string& field) {
@@ -107,13 +121,21 @@ Status validateLaw(const PowerLaw& law, const std::string& place, const std::str
                  "positive");
 }
 
+Status validatePigment(const PowerLaw& law, const std::string& place, const std::string& field) {
+  CUTIS_CHECK(validateLaw(law, place, field));
+  CUTIS_CHECK(require(law.coefficient >= 0.0, place, field + ".coefficient", "zero or positive"));
+  return validateAbsorber(onGrid(law), place, field);
+}
+
 Status validateTissue(const Profile& profile, const std::string& place) {
   CUTIS_CHECK(require(isFraction(profile.epidermalWater), place, "epidermis.water_fraction",
                       "between 0 and 1"));
   CUTIS_CHECK(
       require(isFraction(profile.dermalWater), place, "dermis.water_fraction", "between 0 and 1"));
-  CUTIS_CHECK(validateLaw(profile.eumelanin, place, "absorption.eumelanin"));
-  CUTIS_CHECK(validateLaw(profile.pheomelanin, place, "absorption.pheomelanin"));
+  CUTIS_CHECK(validatePigment(profile.eumelanin, place, "absorption.eumelanin"));
+  CUTIS_CHECK(validatePigment(profile.pheomelanin, place, "absorption.pheomelanin"));
+  CUTIS_CHECK(require(std::abs(profile.baseline.constant) < kMaximumAbsorptionPerMm, place,
+                      "absorption.baseline.constant", "below a million"));
   CUTIS_CHECK(validateTail(profile.baseline.tail, place, "absorption.baseline"));
   CUTIS_CHECK(validateTail(profile.epidermalUltraviolet, place, "epidermis.ultraviolet"));
   CUTIS_CHECK(require(isBetween(0.0, profile.dermalBaselineFactor, 10.0), place,

@@ -75,7 +75,7 @@ Result<PictureEncoding> encodingFor(const ExportTarget& target, const ImageHeade
     const bool own = image != nullptr && space.name == imageSpace.name;
     encoding.colorSpace = own ? imageSpace : std::move(space);
   } else if (image != nullptr && isInteger(image->sourceType) == isInteger(type) &&
-             !image->colors.isConverted && canStateColors(target.path, imageSpace)) {
+             !image->colors.isConverted && canStateColors(target.path, type, imageSpace)) {
     encoding.colorSpace = imageSpace;
   }
   if (image != nullptr && image->sourceType != type) {

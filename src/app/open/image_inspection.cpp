@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/word_list.h"
 #include "src/color/color_space.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/codec/image_formats.h"
@@ -11,15 +12,6 @@
 
 namespace cutis {
 namespace {
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " and " : ", ";
-    text += words[i];
-  }
-  return text;
-}
 
 std::string describeFormat(const ImageHeader& header) {
   std::string text = std::string(imageFormat(header.kind).name) + ", " +
@@ -36,7 +28,7 @@ LayerInspection inspectLayer(const ImageLayer& layer, const ImageHeader& header,
                              const std::string& place) {
   LayerInspection inspection;
   inspection.name = layer.name;
-  inspection.channels = listed(layer.channelNames);
+  inspection.channels = wordList(layer.channelNames, " and ");
   inspection.hasColors = layer.colors.has_value();
   const auto decided = decideColors(header.colors, {}, place);
   inspection.isDecided = static_cast<bool>(decided);
@@ -47,9 +39,7 @@ LayerInspection inspectLayer(const ImageLayer& layer, const ImageHeader& header,
     inspection.decision = decided.error().message;
   }
   for (const ColorStatement& statement : header.colors.statements) {
-    inspection.statements.push_back(
-        statement.origin + ": " +
-        (statement.space.empty() ? statement.objection : statement.space.name));
+    inspection.statements.push_back(statement.origin + ": " + statement.meaning());
   }
   return inspection;
 }

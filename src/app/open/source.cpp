@@ -46,7 +46,8 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
   if (!std::isfinite(options.exposure) || !(options.exposure > 0.0)) {
     return usageError(kExposureChoice, "the exposure must be a positive number");
   }
-  CUTIS_TRY(rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, kRigChoice));
+  CUTIS_TRY(
+      rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, kRigChoice, context.notice));
   CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask, options.layer}, rig, store,
                                context));
   Source source;

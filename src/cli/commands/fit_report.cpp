@@ -44,6 +44,7 @@ Json colorFigures(const Source& source) {
       entry["objection"] = statement.objection;
     else
       entry["says"] = statement.space.name;
+    if (!statement.assumption.empty()) entry["assumption"] = statement.assumption;
     statements.push_back(std::move(entry));
   }
   return {{"space", source.colors.followed.space.name},

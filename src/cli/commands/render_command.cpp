@@ -48,7 +48,7 @@ Result<PictureRequest> bandRequest(const RenderCommand& command) {
 }
 
 // Reads the light and the observer.
-Result<PictureRows> pictureOf(const RenderCommand& command) {
+Result<PictureRows> pictureOf(const RenderCommand& command, const Session& session) {
   if (!command.band.empty()) {
     CUTIS_TRY(band, bandRequest(command));
     return pictureRows(band, {});
@@ -58,7 +58,7 @@ Result<PictureRows> pictureOf(const RenderCommand& command) {
   if (!command.observer.empty()) request.observer = command.observer;
   CUTIS_TRY(adaptation, adaptationNamed(command.adaptation));
   request.adaptation = adaptation;
-  CUTIS_TRY(picture, pictureRows(request, {"--light", "--observer"}));
+  CUTIS_TRY(picture, pictureRows(request, {"--light", "--observer"}, session.context.notice));
   if (picture.isColor) return picture;
   constexpr char reason[] = "a camera's own channels have no colour space; leave this out";
   CUTIS_CHECK(refuse("--colorspace", command.colorSpace, reason));
@@ -67,7 +67,7 @@ Result<PictureRows> pictureOf(const RenderCommand& command) {
 }
 
 Status runRenderCommand(const RenderCommand& command, Session& session) {
-  CUTIS_TRY(picture, pictureOf(command));
+  CUTIS_TRY(picture, pictureOf(command, session));
   ExportTarget target = {.path = command.output,
                          .colorSpace = command.colorSpace,
                          .inputs = {command.profile, command.light, command.observer},

@@ -114,7 +114,8 @@ Status runSimulateCommand(const SimulateCommand& command, Session& session) {
     return usageError("simulate", "name maps or give --patch WIDTHxHEIGHT, but not both");
   }
   CUTIS_CHECK(checkCaptureFolder(command.output, command.overwrite));
-  CUTIS_TRY(rig, loadRig(command.rig.empty() ? kDefaultRig : command.rig, {}, "--rig"));
+  CUTIS_TRY(rig, loadRig(command.rig.empty() ? kDefaultRig : command.rig, {}, "--rig",
+                         session.context.notice));
   CUTIS_TRY(noise, noiseOf(command, rig));
   CUTIS_CHECK(checkFilesOf(command, rig, noise));
   CUTIS_TRY(subject,

@@ -214,8 +214,8 @@ NetworkAdvice networkAdvice() {
           }};
 }
 
-Result<Rig> trainedRig(const TrainOptions& options) {
-  CUTIS_TRY(rig, loadRig(options.rig, {}, "--rig"));
+Result<Rig> trainedRig(const TrainOptions& options, const Notice& notice) {
+  CUTIS_TRY(rig, loadRig(options.rig, {}, "--rig", notice));
   if (options.lights.empty()) return rig;
   return withLights(rig, commaSeparated(options.lights), "--lights");
 }

@@ -42,8 +42,8 @@ void addTrainOptions(CLI::App& command, TrainOptions& options);
 // --weights".
 NetworkAdvice networkAdvice();
 
-// The rig with the lights asked for.
-Result<Rig> trainedRig(const TrainOptions& options);
+// The rig with the lights asked for; `notice` hears what of its files was left out.
+Result<Rig> trainedRig(const TrainOptions& options, const Notice& notice);
 
 // Errors are usage errors in the option's name.
 Result<NetworkTraining> trainingOf(const TrainOptions& options, const NoiseModel& rigNoise);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/echoed_text.h"
+#include "core/base/word_list.h"
 #include "src/files/io/text_file.h"
 
 namespace cutis {
@@ -188,11 +189,8 @@ Result<std::string> JsonValue::text(const std::string& key, const std::string& f
 Status JsonValue::allowOnly(std::span<const std::string_view> keys) const {
   for (const auto& [key, value] : node_->items()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    std::string known;
-    for (const std::string_view name : keys) {
-      known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    return inputError(file_, "unknown field " + inQuotes(pathOf(key)) + "; known here: " + known);
+    return inputError(
+        file_, "unknown field " + inQuotes(pathOf(key)) + "; known here: " + wordList(keys, ", "));
   }
   return {};
 }

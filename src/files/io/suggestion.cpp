@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/echoed_text.h"
+#include "core/base/word_list.h"
 
 namespace cutis {
 namespace {
@@ -32,17 +33,16 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string suggestName(const std::string& wrong, const std::vector<std::string>& known) {
-  std::string list;
   std::size_t least = wrong.size() / 2 + 1;
   std::string nearest;
   for (const std::string& name : known) {
-    list += (list.empty() ? "" : ", ") + name;
     const std::size_t distance = editDistance(wrong, name);
     if (distance < least) {
       least = distance;
       nearest = name;
     }
   }
+  const std::string list = wordList(known, ", ");
   return nearest.empty() ? "known: " + list
                          : "did you mean " + inQuotes(nearest) + "? Known: " + list;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -23,6 +24,19 @@ constexpr std::array<std::pair<const char*, SpecularPart>, 3> kSpecularParts = {
      {"excluded", SpecularPart::excluded},
      {"crossed", SpecularPart::crossPolarised}}};
 
+// Beyond any spectrum, aperture and constant; sums of squares of these stay finite.
+constexpr double kMostRadiusMm = 1000.0, kMostConstant = 1e12, kMostPull = 1e6;
+constexpr char kWavelengthDemand[] = "between 300 and 1000";
+
+bool isWavelength(double nm) {
+  return nm >= kFirstWavelengthNm && nm <= kLastWavelengthNm;
+}
+
+// Of errors of reflectance.
+bool isShareAbove0(double value) {
+  return value > 0.0 && value <= 1.0;
+}
+
 Result<SpecularPart> parseSpecular(const JsonValue& object) {
   CUTIS_TRY(text, object.text("specular"));
   for (const auto& [name, part] : kSpecularParts) {
@@ -36,8 +50,10 @@ Result<SpectralAim> parseAim(const JsonValue& object) {
   CUTIS_TRY(from, object.number("from_nm"));
   CUTIS_TRY(to, object.number("to_nm"));
   CUTIS_TRY(rms, object.number("rms"));
+  if (!isWavelength(from)) return object.error("from_nm", kWavelengthDemand);
+  if (!isWavelength(to)) return object.error("to_nm", kWavelengthDemand);
   if (!(from < to)) return object.error("to_nm", "greater than from_nm");
-  if (!(rms > 0.0)) return object.error("rms", "greater than 0");
+  if (!isShareAbove0(rms)) return object.error("rms", "greater than 0 and at most 1");
   return SpectralAim{from, to, rms};
 }
 
@@ -50,7 +66,9 @@ Result<CalibrationSpectra> parseSpectra(const JsonValue& object) {
   if (share < 0.0 || share >= 1.0) return object.error(kSpecularShare, "0 or more and below 1");
   if (object.has("aperture_radius_mm")) {
     CUTIS_TRY(radius, object.number("aperture_radius_mm"));
-    if (!(radius > 0.0)) return object.error("aperture_radius_mm", "greater than 0");
+    if (!(radius > 0.0 && radius <= kMostRadiusMm)) {
+      return object.error("aperture_radius_mm", "greater than 0 and at most 1000");
+    }
     spectra.edgeLossPerMm = edgeLossOfAperture(radius);
   }
   CUTIS_TRY(aims, object.array("aims"));
@@ -87,6 +105,10 @@ Result<CalibrationConstant> parseConstant(const JsonValue& object,
   CUTIS_TRY(deviation, object.number("sd"));
   CUTIS_TRY(scale, object.text("scale", "linear"));
   CUTIS_TRY(note, object.text("note", ""));
+  for (const char* name : {"low", "high", "expected", "sd"}) {
+    CUTIS_TRY(number, object.number(name));
+    if (std::abs(number) > kMostConstant) return object.error(name, "at most 1e12");
+  }
   if (!(low < high)) return object.error("high", "greater than low");
   if (!(deviation > 0.0)) return object.error("sd", "greater than 0");
   if (scale != "linear" && scale != "log") return object.error("scale", "\"linear\" or \"log\"");
@@ -113,7 +135,7 @@ Status parsePriorSource(const JsonValue& root, CalibrationRecipe& recipe) {
   CUTIS_CHECK(object.allowOnly({"spectra", "noise"}));
   CUTIS_TRY(spectra, findSpectra(object, recipe));
   CUTIS_TRY(noise, object.number("noise"));
-  if (!(noise > 0.0)) return object.error("noise", "greater than 0");
+  if (!isShareAbove0(noise)) return object.error("noise", "greater than 0 and at most 1");
   recipe.priorSpectra = spectra;
   recipe.priorNoise = noise;
   return {};
@@ -146,7 +168,7 @@ Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& 
   if (step <= 0 || step % kWavelengthStepNm != 0 || step > 100) {
     return root.error("step_nm", "an even number from 2 to 100");
   }
-  if (!(pull >= 0.0)) return root.error("pull", "0 or greater");
+  if (!(pull >= 0.0 && pull <= kMostPull)) return root.error("pull", "between 0 and a million");
   recipe.name = name;
   recipe.description = description;
   recipe.start = start;

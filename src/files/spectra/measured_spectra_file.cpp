@@ -6,6 +6,7 @@
 
 #include "core/base/number_text.h"
 #include "src/files/io/text_file.h"
+#include "src/files/spectra/emission_words.h"
 #include "src/files/spectra/spectra_text.h"
 
 namespace cutis {
@@ -30,12 +31,21 @@ class MeasuredReader {
     CUTIS_CHECK(decideScale());
     for (const std::string& note : layout().notes)
       context_.say(note);
+    questionEmission();
     return std::move(spectra_);
   }
 
  private:
   const SpectralLayout& layout() const { return file_.layout; }
   std::size_t count() const { return spectra_.wavelengthsNm.size(); }
+
+  // Files of lights have numbers that could be reflectances.
+  void questionEmission() const {
+    const auto found = emissionWordAbove(*file_.text, layout().firstLine());
+    if (!found) return;
+    context_.say(place_ + ":" + std::to_string(found->line) + ": '" + found->word +
+                 "' speaks of light that is emitted; check that this file holds reflectances");
+  }
 
   Status takeWavelengths() {
     const std::vector<double>& all = layout().wavelengthsNm;

@@ -14,7 +14,8 @@
 // without a name are numbered from 1. Comments, quotes and line ends are as in src/files/io/csv.h.
 //
 // Values are shares of the perfect diffuser, or percent where most are above kMostReflectance,
-// which a notice says. Notices say, too, what of a file was left out.
+// which a notice says. Notices say, too, what of a file was left out, and question files whose
+// heading speaks of emitted light.
 
 #include <filesystem>
 #include <string>

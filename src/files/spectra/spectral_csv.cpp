@@ -31,6 +31,7 @@ Result<SpectralTable> curves(std::string bytes, const std::string& place) {
   SpectralTable table;
   table.place = place;
   table.names = file.layout.names;
+  table.notes = file.layout.notes;
   table.columns.resize(table.names.size());
   for (std::size_t w = 0; w < file.layout.wavelengthCount(); ++w) {
     CUTIS_TRY(values, valuesAt(file, w));

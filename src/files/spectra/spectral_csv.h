@@ -19,6 +19,7 @@ struct SpectralTable {
   std::vector<std::string> names;            // of the curves, from the header; may be empty
   std::vector<double> wavelengthsNm;         // strictly increasing, at least two
   std::vector<std::vector<double>> columns;  // one per name, finite
+  std::vector<std::string> notes;            // sentences on what was left out
 
   Spectrum onGrid(std::size_t column) const { return resample({wavelengthsNm, columns[column]}); }
 };

@@ -419,6 +419,13 @@ class LayoutFinder {
   SpectralLayout layout_;
 };
 
+int SpectralLayout::firstLine() const {
+  const std::vector<const CsvRow*>& rows = inColumns_ ? wavelengthRows_ : spectrumRows_;
+  const auto first = std::min_element(
+      rows.begin(), rows.end(), [](const CsvRow* a, const CsvRow* b) { return a->line < b->line; });
+  return (*first)->line;
+}
+
 std::string SpectralLayout::placeOf(std::size_t spectrum, std::size_t wavelength) const {
   return place_ + ":" + std::to_string(rowAt(spectrum, wavelength).line) + ", column " +
          std::to_string(columnAt(spectrum, wavelength) + 1);

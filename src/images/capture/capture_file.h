@@ -7,8 +7,10 @@
 //     "images": [ {"light": "white", "file": "white.exr", "scale": [1, 1, 1]}, … ],
 //     "mask": "mask.png" }
 //
-// Pixels are linear, also those of integer images; a perfect diffuser under the light reads 1 in
-// every channel once multiplied by `scale`. Files lie in or below the folder. Lights of the rig
+// Pixels are linear, also those of integer images, or have the curve of the colour space that
+// `encoding` names in version 2, which is undone; what photographs say of themselves must agree,
+// unless `encoding` is "raw". A perfect diffuser under the light reads 1 in every channel once
+// multiplied by `scale`. Files lie in or below the folder. Lights of the rig
 // that are not there are left out of it. Colours that are stored multiplied by alpha are divided by
 // it, and pixels of alpha 0 are masked. Pixels at the end of an integer range are saturated; see
 // classify() for the other states.
@@ -42,6 +44,7 @@ struct CaptureReadOptions {
 };
 
 struct Capture {
+  std::string encoding;                  // as capture.json names it
   Measurements measurements;             // channels in the order of the rig
   std::vector<SourceReference> sources;  // one per light, in the order of the rig
   ImageMetadata metadata;                // of the first light's photograph

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/base/choice_place.h"
 #include "core/base/echoed_text.h"
@@ -108,10 +109,36 @@ Result<std::vector<CapturePhotograph>> parsePhotographs(const JsonValue& root,
   return photographs;
 }
 
-Result<Rig> rigOf(const JsonValue& root, const fs::path& folder, const std::string& other) {
-  if (!other.empty()) return loadRig(other, {}, kRigChoice);
+Result<Rig> rigOf(const JsonValue& root, const fs::path& folder, const std::string& other,
+                  const Notice& notice) {
+  if (!other.empty()) return loadRig(other, {}, kRigChoice, notice);
   CUTIS_TRY(name, root.text("rig"));
-  return loadRig(name, folder.string(), root.file() + ": rig");
+  return loadRig(name, folder.string(), root.file() + ": rig", notice);
+}
+
+constexpr char kEncoding[] = "encoding";
+
+// The curve of a colour space is undone; its primaries do not count, since channels are the
+// camera's own.
+Result<CaptureEncoding> parseEncoding(const JsonValue& root) {
+  CaptureEncoding encoding;
+  CUTIS_TRY(name, root.text(kEncoding));
+  CUTIS_TRY(version, root.integer("cutis_capture"));
+  encoding.name = name;
+  if (name == "linear") return encoding;
+  if (version < 2) {
+    return root.error(kEncoding,
+                      "\"linear\"; for the name of a colour space set cutis_capture to 2");
+  }
+  encoding.isRaw = name == "raw";
+  if (encoding.isRaw) return encoding;
+  CUTIS_TRY(space, namedColorSpace(name, root.file() + ": " + kEncoding));
+  if (!space.matrix) {
+    return root.error(kEncoding, "\"linear\", \"raw\" or a colour space of curves and primaries");
+  }
+  encoding.name = space.name;
+  encoding.curves = space.matrix->curves;
+  return encoding;
 }
 
 // Leaves the lights asked for, which must have photographs.
@@ -143,8 +170,13 @@ Status keepLights(const std::vector<std::string>& wanted, CaptureManifest& manif
 
 }  // namespace
 
-Result<CaptureManifest> readCaptureManifest(const fs::path& path,
-                                            const CaptureReadOptions& options) {
+bool CaptureEncoding::isLinear() const {
+  return std::all_of(curves.begin(), curves.end(),
+                     [](const TransferCurve& curve) { return curve.isLinear(); });
+}
+
+Result<CaptureManifest> readCaptureManifest(const fs::path& path, const CaptureReadOptions& options,
+                                            const Notice& notice) {
   CUTIS_TRY(file, findManifest(path));
   const fs::path folder = file.parent_path();
   CUTIS_TRY(root, readJson(file));
@@ -154,10 +186,10 @@ Result<CaptureManifest> readCaptureManifest(const fs::path& path,
   if (root.has("chart")) {
     return inputError(root.file(), "chart: charts are not supported by this version; use scale");
   }
-  CUTIS_TRY(encoding, root.text("encoding"));
-  if (encoding != "linear") return root.error("encoding", "\"linear\"");
+  CUTIS_TRY(encoding, parseEncoding(root));
   CaptureManifest manifest;
-  CUTIS_TRY(rig, rigOf(root, folder, options.rig));
+  manifest.encoding = std::move(encoding);
+  CUTIS_TRY(rig, rigOf(root, folder, options.rig, notice));
   manifest.rig = std::move(rig);
   CUTIS_TRY(photographs, parsePhotographs(root, folder, manifest.rig));
   manifest.photographs = std::move(photographs);

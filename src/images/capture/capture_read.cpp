@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 #include "core/base/echoed_text.h"
 #include "core/base/parallel.h"
+#include "core/base/word_list.h"
 #include "src/files/io/file_extension.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/capture/capture_manifest.h"
@@ -24,13 +25,6 @@ std::string originText(const ImageFrame& frame) {
   return std::to_string(frame.originX) + ", " + std::to_string(frame.originY);
 }
 
-std::string channelList(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names)
-    list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 // Where the three channels of the camera are: under its own names, or red, green and blue.
 Result<std::array<std::size_t, 3>> cameraChannels(const ImageHeader& image, const Camera& camera,
                                                   const std::string& place) {
@@ -45,7 +39,7 @@ Result<std::array<std::size_t, 3>> cameraChannels(const ImageHeader& image, cons
     if (all) return channels;
   }
   return inputError(place, "a photograph needs the channels R, G and B; this file has " +
-                               channelList(image.channelNames) + "; save it as a colour image");
+                               wordList(image.channelNames, ", ") + "; save it as a colour image");
 }
 
 // One light's photograph as it was read.
@@ -55,9 +49,23 @@ struct Photograph {
   bool multiplied = false;  // the colours are, by alpha
   std::array<float, 3> scale;
   bool integer = false;
-
-  bool isChanged() const { return multiplied || scale != std::array<float, 3>{1.0f, 1.0f, 1.0f}; }
 };
+
+// Whether numbers of the space mean the same light as by these curves, for people: a power of 2.2
+// stands for sRGB in many files.
+bool hasCurves(const ColorSpace& space, const std::array<TransferCurve, 3>& curves) {
+  constexpr double kSameForPeople = 0.02;
+  constexpr int kSteps = 64;
+  if (!space.matrix) return false;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (int i = 0; i <= kSteps; ++i) {
+      const double number = static_cast<double>(i) / kSteps;
+      const double stated = space.matrix->curves[c].toLight(number);
+      if (!(std::abs(stated - curves[c].toLight(number)) <= kSameForPeople)) return false;
+    }
+  }
+  return true;
+}
 
 class CaptureReader {
  public:
@@ -68,10 +76,10 @@ class CaptureReader {
   Result<Capture> read() {
     Capture capture;
     CUTIS_CHECK(readPhotographs(capture));
-    compareWithDeclaration();
     CUTIS_CHECK(readTheMask());
     capture.measurements.rig = manifest_.rig;
     capture.orientation = first_.orientation;
+    capture.encoding = manifest_.encoding.name;
     CUTIS_CHECK(measure(capture.measurements));
     return capture;
   }
@@ -86,6 +94,7 @@ class CaptureReader {
       const auto accept = [&](const ImageHeader& header) -> Status {
         CUTIS_CHECK(checkPlace(header, entry));
         CUTIS_CHECK(checkStorage(header, entry));
+        CUTIS_CHECK(checkDeclaration(header, entry));
         CUTIS_TRY(found, cameraChannels(header, manifest_.rig.camera, entry.path.string()));
         channels = found;
         return {};
@@ -96,7 +105,6 @@ class CaptureReader {
         photograph.planes[c] = image.channels[channels[c]];
       photograph.scale = entry.scale;
       photograph.integer = isInteger(image.sourceType);
-      noteStatement(entry.file, image.colors);
       if (image.layer.alpha >= 0) {
         photograph.alpha = image.channels[static_cast<std::size_t>(image.layer.alpha)];
         photograph.multiplied = image.alphaKind == AlphaKind::associated;
@@ -108,29 +116,25 @@ class CaptureReader {
     return {};
   }
 
-  // Remembers a file that says of itself that it is not linear, as capture.json declares it.
-  void noteStatement(const std::string& file, const FileColors& colors) {
-    for (const ColorStatement& statement : colors.statements) {
-      if (statement.space.empty() || statement.space.isLinear()) continue;
-      if (notLinear_ == 0)
-        against_ =
-            "'" + file + "' is " + statement.space.name + ", as " + statement.origin + " says";
-      ++notLinear_;
-      return;
-    }
-  }
-
-  void compareWithDeclaration() const {
-    if (notLinear_ == 0) return;
-    const std::size_t others = notLinear_ - 1;
-    std::string sentence = "the capture declares its photographs linear, but " + against_;
-    if (others > 0) {
-      sentence += " (and " + std::to_string(others) + (others == 1 ? " other is" : " others are") +
-                  " not linear either)";
-    }
-    context_.say(manifest_.photographs.front().path.parent_path().string() + ": " + sentence +
-                 "; they are read as linear, which makes skin darker or lighter than it is if they "
-                 "are not");
+  // What a photograph says of its own numbers must be what capture.json says: one of them is wrong,
+  // and maps of numbers read otherwise than they are meant are far off.
+  Status checkDeclaration(const ImageHeader& header, const CapturePhotograph& entry) const {
+    const CaptureEncoding& declared = manifest_.encoding;
+    const auto& statements = header.colors.statements;
+    if (declared.isRaw || statements.empty() || statements.front().space.empty()) return {};
+    const ColorStatement& stated = statements.front();
+    if (hasCurves(stated.space, declared.curves)) return {};
+    const bool canBeDecoded = stated.space.isNamed && stated.space.matrix;
+    const std::string wayOut = canBeDecoded
+                                   ? "write \"encoding\": \"" + stated.space.name +
+                                         "\" with \"cutis_capture\": 2 into " + kCaptureFile
+                                   : "save it as " + declared.name;
+    return inputError(entry.path.string(),
+                      "the capture declares its photographs " + declared.name +
+                          ", but this one is " + stated.space.name + ", as " + stated.origin +
+                          " says; " + wayOut +
+                          " if that is so, or \"encoding\": \"raw\" if its numbers are " +
+                          "proportional to light all the same");
   }
 
   // Pixels belong together by their place in the files' common coordinates.
@@ -175,12 +179,22 @@ class CaptureReader {
     return {};
   }
 
+  bool isChanged(const Photograph& photograph) const {
+    return photograph.multiplied || !isLinear_ ||
+           photograph.scale != std::array<float, 3>{1.0f, 1.0f, 1.0f};
+  }
+
+  float lightOf(float number, std::size_t channel) const {
+    if (isLinear_) return number;
+    return static_cast<float>(manifest_.encoding.curves[channel].toLight(double{number}));
+  }
+
   Status measure(Measurements& measurements) {
     for (Photograph& photograph : photographs_) {
       for (Plane& plane : photograph.planes) {
-        measurements.channels.push_back(photograph.isChanged() ? Plane(first_.width, first_.height,
-                                                                       PixelFormat::float32, store_)
-                                                               : plane);
+        measurements.channels.push_back(
+            isChanged(photograph) ? Plane(first_.width, first_.height, PixelFormat::float32, store_)
+                                  : plane);
       }
     }
     measurements.state = Plane(first_.width, first_.height, PixelFormat::half, store_);
@@ -211,9 +225,9 @@ class CaptureReader {
       for (std::size_t p = 0; photograph.integer && p < pixels; ++p) {
         if (channel[p] >= 1.0f) clipped[p] = 1;
       }
-      if (!photograph.isChanged()) continue;
+      if (!isChanged(photograph)) continue;
       for (float& value : channel)
-        value *= photograph.scale[c % 3];
+        value = lightOf(value, c % 3) * photograph.scale[c % 3];
       CUTIS_CHECK(measurements.channels[c].store(rect, channel));
     }
     std::vector<float> pixel(channels);
@@ -228,10 +242,9 @@ class CaptureReader {
   const CaptureManifest& manifest_;
   std::shared_ptr<TileStore> store_;
   const JobContext& context_;
+  const bool isLinear_ = manifest_.encoding.isLinear();
   ImageHeader first_;  // of the first photograph
   std::vector<Photograph> photographs_;
-  std::size_t notLinear_ = 0;  // photographs that contradict the declaration
-  std::string against_;        // what the first of them says
   Plane mask_;
 };
 
@@ -244,7 +257,7 @@ bool looksLikeCapture(const fs::path& path) {
 
 Result<Capture> readCapture(const fs::path& path, const CaptureReadOptions& options,
                             const std::shared_ptr<TileStore>& store, const JobContext& context) {
-  CUTIS_TRY(manifest, readCaptureManifest(path, options));
+  CUTIS_TRY(manifest, readCaptureManifest(path, options, context.notice));
   return CaptureReader(manifest, store, context).read();
 }
 

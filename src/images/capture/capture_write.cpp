@@ -58,7 +58,7 @@ std::string rigReference(const std::string& rig, const Rig& measured, const fs::
 std::string manifestText(const Measurements& measurements, const CaptureWriteOptions& options,
                          const std::vector<std::string>& files, const fs::path& folder) {
   nlohmann::ordered_json root;
-  root["cutis_capture"] = kNewestCaptureVersion;
+  root["cutis_capture"] = kFirstCaptureVersion;
   root["rig"] = rigReference(options.rig, measurements.rig, folder);
   root["encoding"] = "linear";
   root["images"] = nlohmann::ordered_json::array();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/word_list.h"
 #include "src/files/io/file_extension.h"
 
 namespace cutis {
@@ -88,16 +89,6 @@ const std::vector<ImageFormat>& table() {
   return formats;
 }
 
-// "a, b or c"
-std::string alternatives(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-    text += words[i];
-  }
-  return text;
-}
-
 }  // namespace
 
 std::span<const ImageFormat> imageFormats() {
@@ -126,14 +117,14 @@ std::string writtenExtensions() {
   for (const ImageFormat& format : table()) {
     if (format.isWritten()) usual.push_back(format.extensions.front());
   }
-  return alternatives(usual);
+  return wordList(usual, " or ");
 }
 
 std::string readFormatNames() {
   std::vector<std::string_view> names;
   for (const ImageFormat& format : table())
     names.push_back(format.name);
-  return alternatives(names);
+  return wordList(names, " or ");
 }
 
 }  // namespace cutis

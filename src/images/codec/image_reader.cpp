@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "src/images/codec/ink_jpeg_input.h"
 #include "src/images/codec/layout_check.h"
 #include "src/images/codec/luma_chroma_input.h"
 #include "src/images/codec/oiio_text.h"
@@ -141,6 +142,7 @@ Result<ImageReader> ImageReader::open(const std::filesystem::path& path,
 }
 
 // With the pixels as they are stored where OpenImageIO would change their colours or not read them.
+// An input of our own takes over what that needs.
 Status ImageReader::openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints) {
   const bool opened = input_->open(place_, spec, hints);
   const std::string reason = opened ? std::string() : input_->geterror();
@@ -155,6 +157,11 @@ Status ImageReader::openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints) {
       input_ = std::move(input);
       return {};
     }
+  }
+  if (opened && kind_ == ImageFileKind::jpeg && isInkJpeg(spec)) {
+    input_ = openInkJpeg(place_, spec);
+    if (!input_->open(place_, spec)) return damaged(input_->geterror());
+    return {};
   }
   if (opened) return {};
   return damaged(reason);

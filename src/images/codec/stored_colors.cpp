@@ -9,6 +9,7 @@
 #include "core/spectra/colorimetry.h"
 #include "core/spectra/rgb_primaries.h"
 #include "src/color/icc_profile.h"
+#include "src/images/codec/ink_jpeg_input.h"
 
 namespace cutis {
 namespace {
@@ -113,10 +114,7 @@ bool needsRawColors(ImageFileKind kind, const OIIO::ImageSpec& spec) {
 
 std::optional<StoredColors> storedColorsOf(ImageFileKind kind, const OIIO::ImageSpec& spec,
                                            const std::string& place) {
-  const std::string jpegColors = spec.get_string_attribute("jpeg:ColorSpace");
-  if (kind == ImageFileKind::jpeg && (jpegColors == "CMYK" || jpegColors == "YCbCrK")) {
-    return StoredColors{"CMYK", 3, {}, "CMYK in a JPEG file, which is not supported"};
-  }
+  if (kind == ImageFileKind::jpeg && isInkJpeg(spec)) return inkColors(spec, place);
   if (kind != ImageFileKind::tiff) return std::nullopt;
   const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation");
   if (photometric == kSeparated) {

@@ -1,6 +1,6 @@
 #pragma once  // internal to src/images/codec
 
-// Pixels that are not stored as R, G and B: CIELab and inks in TIFF files.
+// Pixels that are not stored as R, G and B: CIELab and inks in TIFF files, inks in JPEG files.
 //
 // They are converted while they are read, to linear Rec.709 in floats without limits, because no
 // other part of the program knows them. CIELab is under D50, as ICC profiles and photo editors take

@@ -1,14 +1,22 @@
 #include "src/images/color/code_points.h"
 
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+#include "core/base/word_list.h"
+#include "src/color/video_curve.h"
 
 namespace cutis {
 namespace {
 
 using Chromaticities = std::array<double, 8>;
+
+// H.273, table 3.
+constexpr int kPq = 16, kHlg = 18;
 
 // H.273, table 2.
 std::optional<Chromaticities> primariesOf(int code) {
@@ -46,6 +54,7 @@ std::optional<TransferCurve> curveOf(int code) {
     case 1:
     case 6:
     case 11:
+    case 12:
     case 14:
     case 15:
       return TransferCurve::parametric({.g = 1.0 / 0.45,
@@ -65,25 +74,54 @@ std::optional<TransferCurve> curveOf(int code) {
                                         .d = 4.0 * 0.0228});
     case 8:
       return TransferCurve();
+    case 9:
+    case 10:
+      return logarithmicCurve(code == 10);
     case 13:
       return TransferCurve::srgb();
+    case kPq:
+      return pqCurve();
+    case 17:
+      return TransferCurve::parametric({.g = 2.6, .a = std::pow(52.37 / 48.0, 1.0 / 2.6)});
+    case kHlg:
+      return hlgCurve();
     default:
       return std::nullopt;
   }
 }
 
-std::string objectionTo(int transfer) {
-  switch (transfer) {
-    case 16:
-      return "PQ, which is the light of a display";
-    case 18:
-      return "HLG, which is the light of a display";
-    case 9:
-    case 10:
-      return "a logarithmic curve that ends before black";
-    default:
-      return "the transfer characteristics " + std::to_string(transfer) + ", which are not known";
+// What the numbers of black and white are in the narrow range (H.273, equations 20 to 22).
+struct Range {
+  double black = 0.0;
+  double white = 1.0;
+};
+Range rangeOf(bool isFull, int bits) {
+  if (isFull) return {};
+  const double step = std::ldexp(1.0, bits - 8) / (std::ldexp(1.0, bits) - 1.0);
+  return {16.0 * step, 235.0 * step};
+}
+
+std::string assumptionOf(const CodePoints& points) {
+  std::vector<std::string> parts;
+  if (points.transfer == kPq) parts.emplace_back("light of 203 cd/m² is taken as 1");
+  if (points.transfer == kHlg)
+    parts.emplace_back("the scene's light at the signal 0.75 is taken as 1");
+  if (!points.fullRange) parts.emplace_back("the narrow range of video is expanded");
+  return wordList(parts, " and ");
+}
+
+bool isSameCurve(const TransferCurve& a, const TransferCurve& b) {
+  constexpr int kPlaces = 32;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double number = static_cast<double>(i) / kPlaces;
+    if (std::abs(a.toLight(number) - b.toLight(number)) > 1e-9) return false;
   }
+  return true;
+}
+
+bool isSamePlace(const Chromaticities& a, const Chromaticities& b) {
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [](double u, double v) { return std::abs(u - v) < 1e-9; });
 }
 
 // Colour spaces as the Color Interop Forum names them.
@@ -126,34 +164,50 @@ std::optional<std::pair<Chromaticities, TransferCurve>> unnamedInterop(const std
 
 void follow(const Chromaticities& primaries, const TransferCurve& curve,
             ColorStatement& statement) {
-  auto space = spaceOfPrimaries(primaries, curve, "");
-  if (space)
-    statement.space = std::move(space).value();
-  else
-    statement.objection = "primaries that span no colours";
+  statement.space = spaceOfPrimaries(primaries, curve, "").value();
 }
 
 }  // namespace
 
-ColorStatement statementOf(const PngColors::CodePoints& points, const std::string& origin) {
-  ColorStatement statement = {ColorSource::cicp, origin, {}, {}};
+ColorStatement statementOf(const CodePoints& points, int bits, const std::string& origin) {
+  ColorStatement statement = {ColorSource::codePoints, origin, {}, {}};
   constexpr int kUnspecified = 2;
   const auto primaries = primariesOf(points.primaries);
   const auto curve = curveOf(points.transfer);
   if (points.primaries == kUnspecified || points.transfer == kUnspecified) return statement;
   if (points.matrix != 0) {
     statement.objection = "luminance and chroma, which PNG files cannot hold";
-  } else if (!points.fullRange) {
-    statement.objection = "the narrow range of video, which is not supported";
   } else if (!curve) {
-    statement.objection = objectionTo(points.transfer);
+    statement.objection =
+        "the transfer characteristics " + std::to_string(points.transfer) + ", which are not known";
   } else if (!primaries) {
     statement.objection =
         "the primaries " + std::to_string(points.primaries) + ", which are not known";
   } else {
     follow(*primaries, *curve, statement);
+    const Range range = rangeOf(points.fullRange, bits);
+    if (!points.fullRange)
+      statement.space = inNarrowRange(statement.space, range.black, range.white);
+    statement.assumption = assumptionOf(points);
   }
   return statement;
+}
+
+std::optional<CodePoints> codePointsOf(const ColorSpace& space, int bits) {
+  if (!space.matrix || !space.matrix->chromaticities) return std::nullopt;
+  const std::array<TransferCurve, 3>& curves = space.matrix->curves;
+  if (!isSameCurve(curves[0], curves[1]) || !isSameCurve(curves[0], curves[2])) return std::nullopt;
+  for (const int primaries : {1, 9, 12}) {
+    if (!isSamePlace(*primariesOf(primaries), *space.matrix->chromaticities)) continue;
+    for (const int transfer : {1, 8, 13, kPq, kHlg}) {
+      for (const bool isFull : {true, false}) {
+        const Range range = rangeOf(isFull, bits);
+        if (isSameCurve(curveOf(transfer)->between(range.black, range.white), curves[0]))
+          return CodePoints{primaries, transfer, 0, isFull};
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 ColorStatement statementOfInteropId(const std::string& id, const std::string& origin) {

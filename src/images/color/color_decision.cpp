@@ -9,7 +9,7 @@ namespace {
 // In linear light. A power of 2.2 stands for sRGB in many files, which is no contradiction.
 constexpr double kSameForPeople = 0.02;
 
-std::string sentenceOf(const ColorStatement& followed, bool isConverted) {
+std::string howItIsRead(const ColorStatement& followed, bool isConverted) {
   const std::string& name = followed.space.name;
   if (followed.source == ColorSource::choice)
     return "its colours are read as " + name + ", as chosen";
@@ -19,6 +19,11 @@ std::string sentenceOf(const ColorStatement& followed, bool isConverted) {
   if (!followed.space.isNamed && followed.source == ColorSource::iccProfile)
     return "its colours are read by " + followed.origin;
   return "its colours are read as " + name + ", according to " + followed.origin;
+}
+
+std::string sentenceOf(const ColorStatement& followed, bool isConverted) {
+  const std::string sentence = howItIsRead(followed, isConverted);
+  return followed.assumption.empty() ? sentence : sentence + "; " + followed.assumption;
 }
 
 // "its ICC profile says that its colours are sRGB"
@@ -52,6 +57,11 @@ Result<ColorStatement> chosen(const FileColors& file, const std::string& choice,
 }
 
 }  // namespace
+
+std::string ColorStatement::meaning() const {
+  if (space.empty()) return objection;
+  return assumption.empty() ? space.name : space.name + "; " + assumption;
+}
 
 Result<ColorDecision> decideColors(const FileColors& file, const std::string& choice,
                                    const std::string& place) {

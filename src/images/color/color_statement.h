@@ -8,7 +8,9 @@
 //   2. how the pixels are stored: CIELab, inks (CMYK), luminance and chroma
 //   3. OpenEXR: our own attribute cutis:colorspace
 //   4. PNG: cICP, iCCP, sRGB, gAMA with cHRM
-//      JPEG, TIFF, PSD, WebP: the ICC profile
+//      JPEG, PSD, WebP: the ICC profile
+//      TIFF: the ICC profile, PrimaryChromaticities with WhitePoint and TransferFunction
+//      HEIC: the ICC profile, the code points (nclx)
 //      OpenEXR: chromaticities, colorInteropID, acesImageContainerFlag
 //   5. EXIF in integers: ColorSpace and InteroperabilityIndex (1: sRGB; 65535 and R03: Adobe RGB)
 //   6. the default: sRGB in integers, linear Rec.709 in floats
@@ -28,8 +30,9 @@ enum class ColorSource {
   choice,
   storage,
   ownAttribute,
-  cicp,
+  codePoints,
   iccProfile,
+  tiffTags,
   srgbChunk,
   gammaChunk,
   chromaticities,
@@ -45,8 +48,13 @@ struct ColorStatement {
   std::string origin;
   // Empty if the statement cannot be followed.
   ColorSpace space;
-  // Then why: "PQ, which is the light of a display".
+  // Then why: "a profile for grey pixels".
   std::string objection = {};
+  // What was taken for granted to follow it, "light of 203 cd/m² is taken as 1"; may be empty.
+  std::string assumption = {};
+
+  // What it says, for lists: the name of the space and the assumption, else the objection.
+  std::string meaning() const;
 };
 
 struct FileColors {
@@ -64,7 +72,8 @@ struct FileColors {
 
 struct ColorDecision {
   ColorStatement followed;
-  // "its colours are read as Display P3, according to its cICP chunk"
+  // "its colours are read as Display P3, according to its cICP chunk", with the assumption behind a
+  // semicolon.
   std::string sentence;
   // A sentence for each statement that says something else.
   std::vector<std::string> contradictions;

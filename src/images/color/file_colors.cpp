@@ -10,7 +10,10 @@
 #include "src/color/icc_profile.h"
 #include "src/images/color/code_points.h"
 #include "src/images/color/exif_color.h"
+#include "src/images/color/heif_color.h"
 #include "src/images/color/png_color.h"
+#include "src/images/color/tiff_color.h"
+#include "src/images/color/webp_color.h"
 
 namespace cutis {
 namespace {
@@ -34,12 +37,25 @@ class Collector {
       addStorage(*part_.otherColors);
       return std::move(colors_);
     }
-    if (kind_ == ImageFileKind::openExr) {
-      addOpenExr();
-    } else if (kind_ == ImageFileKind::png) {
-      addPng();
-    } else if (kind_ != ImageFileKind::radiance) {
-      addProfile(iccProfileBytes(spec_), spec_.find_attribute("ICCProfile") != nullptr);
+    switch (kind_) {
+      case ImageFileKind::openExr:
+        addOpenExr();
+        break;
+      case ImageFileKind::png:
+        addPng();
+        break;
+      case ImageFileKind::webP:
+        addWebP();
+        break;
+      case ImageFileKind::heic:
+        addHeif();
+        break;
+      case ImageFileKind::radiance:
+        break;
+      default:
+        addProfile(iccProfileBytes(spec_), spec_.find_attribute("ICCProfile") != nullptr);
+        if (kind_ == ImageFileKind::tiff)
+          add(tiffTagStatement(path_, colors_.byDefault.space.matrix->curves.front()));
     }
     // A float file with a camera's tag is what is left of a photograph that has been made linear.
     if (integer) addExif();
@@ -106,7 +122,7 @@ class Collector {
 
   void addPng() {
     const PngColors png = readPngColors(path_);
-    if (png.cicp) add(statementOf(*png.cicp, "its cICP chunk"));
+    if (png.cicp) add(statementOf(*png.cicp, bits(), "its cICP chunk"));
     if (png.profile) addProfile(*png.profile, true);
     if (png.hasSrgb) add(ColorSource::srgbChunk, "its sRGB chunk", builtInColorSpace("sRGB"));
     if (png.gamma && *png.gamma > 0.0) {
@@ -120,6 +136,20 @@ class Collector {
     }
     exif_ = png.exif;
   }
+
+  void addWebP() {
+    const WebPColors webP = readWebPColors(path_);
+    if (webP.profile) addProfile(*webP.profile, true);
+    exif_ = webP.exif;
+  }
+
+  void addHeif() {
+    const HeifColors heif = readHeifColors(path_);
+    if (heif.profile) addProfile(*heif.profile, true);
+    if (heif.codePoints) add(statementOf(*heif.codePoints, bits(), "its code points (nclx)"));
+  }
+
+  int bits() const { return part_.type == SampleType::uint8 ? 8 : 16; }
 
   void addProfile(std::string_view bytes, bool isThere) {
     if (!isThere) return;
@@ -165,7 +195,7 @@ class Collector {
   ImageFileKind kind_;
   const ImagePart& part_;
   const OIIO::ImageSpec& spec_;
-  std::string exif_;  // of a PNG file
+  std::string exif_;  // of a PNG or WebP file
   FileColors colors_;
 };
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <string_view>
-#include <utility>
 
 #include "src/color/icc_profile.h"
+#include "src/images/codec/oiio_text.h"
+#include "src/images/color/code_points.h"
 #include "src/images/color/png_color.h"
 
 namespace cutis {
@@ -20,23 +20,6 @@ constexpr int kTagUncalibrated = 0xffff;
 constexpr std::array<const char*, 8> kStatements = {
     "oiio:ColorSpace", "oiio:Gamma",      "ICCProfile",       "chromaticities",
     "colorInteropID",  "Exif:ColorSpace", "cutis:colorspace", "acesImageContainerFlag"};
-
-// Primaries and transfer of H.273; nothing for spaces that it does not know.
-std::optional<std::pair<int, int>> codePointsOf(const std::string& name) {
-  struct Row {
-    std::string_view name;
-    int primaries;
-    int transfer;
-  };
-  constexpr std::array<Row, 4> rows = {{{"Display P3", 12, 13},
-                                        {"Linear P3-D65", 12, 8},
-                                        {"Linear Rec.2020", 9, 8},
-                                        {"Linear Rec.709", 1, 8}}};
-  for (const Row& row : rows) {
-    if (name == row.name) return std::pair(row.primaries, row.transfer);
-  }
-  return std::nullopt;
-}
 
 // The file's own profile, else one made for the space; empty if there is none.
 std::string profileOf(const ColorSpace& space) {
@@ -57,19 +40,23 @@ bool stateInOpenExr(const ColorSpace& space, OIIO::ImageSpec& spec) {
   return space.isNamed || byPrimaries;
 }
 
-std::string pngChunksOf(const ColorSpace& space, bool hasColors, const std::string& profile) {
+std::string pngChunksOf(const ColorSpace& space, const OIIO::ImageSpec& spec,
+                        const std::string& profile) {
   std::string chunks;
+  const bool hasColors = spec.nchannels >= 3;
   // A profile of the source stands alone: it says more than four code points.
-  const auto points = space.profile ? std::nullopt : codePointsOf(space.name);
-  if (points && hasColors) chunks += cicpChunk(points->first, points->second);
+  const auto points = space.profile || !hasColors
+                          ? std::nullopt
+                          : codePointsOf(space, 8 * static_cast<int>(spec.format.size()));
+  if (points) chunks += cicpChunk(*points);
   if (!profile.empty()) chunks += profileChunk(profile);
   return chunks;
 }
 
 }  // namespace
 
-bool canStateColors(ImageFileKind kind, const ColorSpace& space) {
-  OIIO::ImageSpec spec(1, 1, 3, OIIO::TypeUInt8);
+bool canStateColors(ImageFileKind kind, SampleType type, const ColorSpace& space) {
+  OIIO::ImageSpec spec(1, 1, 3, oiioType(type));
   return stateColors(kind, space, spec).complete;
 }
 
@@ -84,18 +71,18 @@ StatedColors stateColors(ImageFileKind kind, const ColorSpace& space, OIIO::Imag
   if (kind == ImageFileKind::openExr) return {stateInOpenExr(space, spec)};
   const bool hasColors = spec.nchannels >= 3;
   const std::string profile = hasColors ? profileOf(space) : std::string();
-  const bool complete = isSrgb || !profile.empty();
   if (kind == ImageFileKind::png) {
     const bool chunkSays = isSrgb && !space.profile;
     if (chunkSays) spec.attribute("oiio:ColorSpace", kSrgb);
-    return {complete, chunkSays ? std::string() : pngChunksOf(space, hasColors, profile)};
+    const std::string chunks = chunkSays ? std::string() : pngChunksOf(space, spec, profile);
+    return {chunkSays || !chunks.empty() || isSrgb, chunks};
   }
   if (!profile.empty()) {
     spec.attribute("ICCProfile",
                    OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
                    profile.data());
   }
-  return {complete};
+  return {isSrgb || !profile.empty()};
 }
 
 }  // namespace cutis

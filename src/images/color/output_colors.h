@@ -19,8 +19,8 @@ struct StatedColors {
   std::string pngChunks = {};
 };
 
-// Whether a file of this kind with colours can say that they are of this space.
-bool canStateColors(ImageFileKind kind, const ColorSpace& space);
+// Whether a file of this kind with colours in such samples can say that they are of this space.
+bool canStateColors(ImageFileKind kind, SampleType type, const ColorSpace& space);
 
 // Writes the statement into the header and takes out of it what is not true of this space. An empty
 // space says nothing.

@@ -66,7 +66,7 @@ std::array<double, 8> chromaticitiesOf(std::string_view content) {
 void take(const std::string& name, std::string_view content, PngColors& colors) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(content[i]); };
   if (name == "cICP" && content.size() == 4) {
-    colors.cicp = {byte(0), byte(1), byte(2), byte(3) != 0};
+    colors.cicp = CodePoints{byte(0), byte(1), byte(2), byte(3) != 0};
   } else if (name == "iCCP") {
     colors.profile = profileOf(content);
   } else if (name == "sRGB" && content.size() == 1) {
@@ -114,9 +114,11 @@ PngColors readPngColors(const std::filesystem::path& path) {
   return colors;
 }
 
-std::string cicpChunk(int primaries, int transfer) {
-  // No matrix, full range: what RGB of a PNG file can be.
-  return chunk("cICP", {static_cast<char>(primaries), static_cast<char>(transfer), '\0', '\1'});
+std::string cicpChunk(const CodePoints& points) {
+  std::string content;
+  for (const int value : {points.primaries, points.transfer, points.matrix, int{points.fullRange}})
+    content += static_cast<char>(value);
+  return chunk("cICP", content);
 }
 
 std::string profileChunk(std::string_view profile) {

@@ -12,13 +12,11 @@
 #include <string>
 #include <string_view>
 
+#include "src/images/color/code_points.h"
+
 namespace cutis {
 
 struct PngColors {
-  struct CodePoints {
-    int primaries = 0, transfer = 0, matrix = 0;
-    bool fullRange = true;
-  };
   std::optional<CodePoints> cicp;
   std::optional<std::string> profile;  // the ICC profile of iCCP, empty if it is damaged
   bool hasSrgb = false;
@@ -33,7 +31,7 @@ struct PngColors {
 PngColors readPngColors(const std::filesystem::path& path);
 
 // Whole chunks, to be put behind IHDR.
-std::string cicpChunk(int primaries, int transfer);
+std::string cicpChunk(const CodePoints& points);
 std::string profileChunk(std::string_view profile);
 
 }  // namespace cutis

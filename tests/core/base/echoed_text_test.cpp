@@ -26,6 +26,17 @@ class EchoedTextTest : public QObject {
     QVERIFY(shown.startsWith("begin") && shown.endsWith("end") && shown.contains("…"));
   }
 
+  void placesKeepTheNameOfTheirFile() {
+    QCOMPARE(shortenedPlace("folder/rig.json:3:10"), std::string("folder/rig.json:3:10"));
+    const std::string deep = "/begin" + std::string(200, 'x') + "/face_of_a_long_name.exr:12:5";
+    const QString shown = QString::fromStdString(shortenedPlace(deep));
+    QCOMPARE(shown.size(), 80);
+    QVERIFY(shown.startsWith("/begin") && shown.endsWith("/face_of_a_long_name.exr:12:5"));
+    const std::string name = "a" + std::string(58, 'n') + "z.exr";
+    QVERIFY(shortenedPlace(std::string(100, 'f') + "/" + name).ends_with("/" + name));
+    QCOMPARE(QString::fromStdString(shortenedPlace(std::string(300, 'n'))).size(), 80);
+  }
+
   // Cut between characters, of which some take several bytes.
   void charactersStayWhole() {
     std::string text;

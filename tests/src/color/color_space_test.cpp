@@ -38,6 +38,13 @@ std::vector<std::string> builtIn() {
   return colorSpaceNames();
 }
 
+// Those whose numbers from 0 to 1 are light from 0 to 1.
+std::vector<std::string> ofUnitLight() {
+  std::vector<std::string> names = builtIn();
+  std::erase_if(names, [](const std::string& name) { return name.starts_with("Rec.2100"); });
+  return names;
+}
+
 const char kStudioConfig[] = R"(ocio_profile_version: 2
 roles:
   default: raw
@@ -160,7 +167,7 @@ class ColorSpaceTest : public QObject {
   }
 
   void whiteStaysWhite() {
-    for (const std::string& name : builtIn()) {
+    for (const std::string& name : ofUnitLight()) {
       for (const float value : toLinear(name, {1, 1, 1}))
         EXPECT_NEAR(value, 1.0, 1e-6);
       for (const float value : fromLinear(name, {1, 1, 1}))
@@ -169,7 +176,7 @@ class ColorSpaceTest : public QObject {
   }
 
   void thereAndBackIsTheSame() {
-    for (const std::string& name : builtIn()) {
+    for (const std::string& name : ofUnitLight()) {
       for (const Rgb& rgb : {Rgb{0.3f, 0.2f, 0.1f}, Rgb{1.5f, 0.0f, 0.4f}, Rgb{0.001f, 0.5f, 0.9f},
                              Rgb{-0.05f, 0.6f, 0.2f}}) {
         const Rgb back = fromLinear(name, toLinear(name, rgb));
@@ -177,6 +184,50 @@ class ColorSpaceTest : public QObject {
           EXPECT_NEAR(back[k], rgb[k], 1e-5);
       }
     }
+  }
+
+  // Signals of ITU-R BT.2100 and BT.2408, table 1: PQ of 100, 203, 1000 and 10000 cd/m².
+  void videoIsTheStandardsCurve() {
+    const auto grey = [](const char* name, float number) {
+      return double{toLinear(name, {number, number, number})[1]};
+    };
+    for (const auto& [signal, light] : {std::pair{0.50808, 100.0 / 203.0},
+                                        {0.58069, 1.0},
+                                        {0.75183, 1000.0 / 203.0},
+                                        {1.0, 10000.0 / 203.0},
+                                        {0.0, 0.0}}) {
+      EXPECT_NEAR(grey("Rec.2100 PQ", static_cast<float>(signal)), light, 2e-4 * light + 1e-9);
+    }
+    // The inverse of the camera's curve: 1/12 of its range at 0.5, all of it at 1.
+    const double white = (std::exp((0.75 - 0.55991073) / 0.17883277) + 0.28466892) / 12.0;
+    for (const auto& [signal, light] : {std::pair{0.5, 1.0 / 12.0 / white},
+                                        {0.75, 1.0},
+                                        {1.0, 1.0 / white},
+                                        {0.25, 1.0 / 48.0 / white}}) {
+      EXPECT_NEAR(grey("Rec.2100 HLG", static_cast<float>(signal)), light, 1e-5 * light);
+    }
+    for (const char* name : {"Rec.2100 PQ", "Rec.2100 HLG"}) {
+      for (float number = 0.0f; number <= 1.0f; number += 1.0f / 64.0f) {
+        const auto light = static_cast<float>(grey(name, number));
+        EXPECT_NEAR(fromLinear(name, {light, light, light})[1], number, 1e-5);
+      }
+    }
+    EXPECT_NEAR(grey("Rec.2100 HLG", -0.5f), -grey("Rec.2100 HLG", 0.5f), 1e-7);
+  }
+
+  void narrowRangeIsExpanded() {
+    const ColorSpace narrow = inNarrowRange(builtInColorSpace("sRGB"), 16.0 / 255.0, 235.0 / 255.0);
+    QCOMPARE(narrow.name, std::string("sRGB, narrow range"));
+    QVERIFY(!narrow.isNamed);
+    std::vector<float> rgb = {16.0f / 255.0f, 235.0f / 255.0f, 125.5f / 255.0f};
+    const std::vector<float> numbers = rgb;
+    EXPECT_OK(narrow.toLinearRec709(rgb));
+    EXPECT_NEAR(rgb[0], 0.0, 1e-7);
+    EXPECT_NEAR(rgb[1], 1.0, 1e-6);
+    EXPECT_NEAR(rgb[2], 0.21404, 1e-5);
+    EXPECT_OK(narrow.fromLinearRec709(rgb));
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(rgb[k], numbers[k], 1e-6);
   }
 
   void linearRec709AndRawChangeNoBit() {

@@ -98,6 +98,14 @@ class CalibrationFileTest : public QObject {
     row("no aims", changed("[{\"from_nm\": 400, \"to_nm\": 700, \"rms\": 0.01}]", "[]"), "aims");
     row("aim backwards", changed("\"to_nm\": 700", "\"to_nm\": 300"), "to_nm");
     row("aim of nothing", changed("\"rms\": 0.01", "\"rms\": 0"), "rms");
+    row("aim beyond the grid", changed("\"to_nm\": 700", "\"to_nm\": 1001"), "to_nm");
+    row("aim below the grid", changed("\"from_nm\": 400", "\"from_nm\": 1"), "from_nm");
+    row("huge aim", changed("\"rms\": 0.01", "\"rms\": 2"), "rms");
+    row("huge pull", changed("\"pull\": 0.1", "\"pull\": 1e300"), "pull");
+    row("huge radius", changed("\"aperture_radius_mm\": 4", "\"aperture_radius_mm\": 1e9"),
+        "aperture_radius_mm");
+    row("huge constant", changed("\"high\": 0.5", "\"high\": 1e200"), "constants[0].high");
+    row("huge spread", changed("\"sd\": 0.3", "\"sd\": 1e200"), "constants[0].sd");
     row("prior of nobody", changed("{\"spectra\": \"a\",", "{\"spectra\": \"b\","),
         "prior.spectra");
     row("same constant twice",

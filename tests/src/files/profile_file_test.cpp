@@ -328,6 +328,8 @@ class ProfileFileTest : public QObject {
         "epidermis.ultraviolet.amplitude must be a finite number");
     row("\"baseline_factor\": 0.48", "\"baseline_factor\": -0.48",
         "dermis.baseline_factor must be between 0 and 10");
+    row("\"fat\": {", "\"eumelanin\": {\"coefficient\": 1e300, \"exponent\": 1}, \"fat\": {",
+        "absorption.eumelanin must be such that it absorbs below a million per mm");
     row("\"baseline_factor\": 0.48", "\"scattering_ratio\": 0.5",
         "dermis.scattering_ratio must be left out where the dermis has scattering laws");
     row("\"coefficient\": 2.585", "\"coefficient\": -258.5",

@@ -171,18 +171,20 @@ class DeclaredColorsTest : public QObject {
     row("cICP Display P3", cicp(12, 13), "Display P3");
     row("cICP linear Rec.2020", cicp(9, 8), "Linear Rec.2020");
     row("cICP linear P3", cicp(12, 8), "Linear P3-D65");
-    row("cICP PQ", cicp(9, 16),
-        "its cICP chunk says PQ, which is the light of a display; name the colour space of the "
-        "file, for example sRGB");
-    row("cICP HLG", cicp(9, 18),
-        "its cICP chunk says HLG, which is the light of a display; name the colour space of the "
-        "file, for example sRGB");
+    row("cICP PQ", cicp(9, 16), "Rec.2100 PQ");
+    row("cICP HLG", cicp(9, 18), "Rec.2100 HLG");
+    row("cICP PQ of P3", cicp(12, 16),
+        "PQ RGB of the primaries 0.68 0.32 0.265 0.69 0.15 0.06 0.3127 0.329");
+    row("cICP logarithmic", cicp(1, 10),
+        "logarithmic over 2.5 decades RGB of the primaries 0.64 0.33 0.3 0.6 0.15 0.06 0.3127 "
+        "0.329");
+    row("cICP reserved", cicp(1, 19),
+        "its cICP chunk says the transfer characteristics 19, which are not known; name the colour "
+        "space of the file, for example sRGB");
     row("cICP YCbCr", cicp(1, 13, 1),
         "its cICP chunk says luminance and chroma, which PNG files cannot hold; name the colour "
         "space of the file, for example sRGB");
-    row("cICP narrow", cicp(1, 13, 0, 0),
-        "its cICP chunk says the narrow range of video, which is not supported; name the colour "
-        "space of the file, for example sRGB");
+    row("cICP narrow", cicp(1, 13, 0, 0), "sRGB, narrow range");
     row("cICP unspecified", cicp(2, 2), "sRGB");
     row("cICP too short", pngChunk("cICP", "ab"), "sRGB");
     row("iCCP", iccp(p3), "Linear P3-D65");
@@ -289,7 +291,7 @@ class DeclaredColorsTest : public QObject {
              std::string("its cICP chunk says that its colours are Display P3, but ACEScg was "
                          "chosen and is followed"));
     // A file that cannot be followed can be told what it is.
-    QCOMPARE(outcome(png(cicp(9, 16)), "ACEScg"), std::string("ACEScg, against 1"));
+    QCOMPARE(outcome(png(cicp(1, 13, 1)), "ACEScg"), std::string("ACEScg, against 1"));
     EXPECT_ERROR(decide(png(""), "ACEScq"), "colour space: unknown colour space 'ACEScq'");
   }
 
@@ -299,6 +301,14 @@ class DeclaredColorsTest : public QObject {
                          "integers"));
     QCOMPARE(decide(png(cicp(12, 13))).value().sentence,
              std::string("its colours are read as Display P3, according to its cICP chunk"));
+    QCOMPARE(decide(png(cicp(9, 16))).value().sentence,
+             std::string("its colours are read as Rec.2100 PQ, according to its cICP chunk; light "
+                         "of 203 cd/m² is taken as 1"));
+    QCOMPARE(
+        decide(png(cicp(9, 18, 0, 0))).value().sentence,
+        std::string("its colours are read as Rec.2100 HLG, narrow range, according to its cICP "
+                    "chunk; the scene's light at the signal 0.75 is taken as 1 and the narrow "
+                    "range of video is expanded"));
     const std::string odd = profileOf(kRec2020, test::curveTag({461}), "studio");
     QCOMPARE(decide(png(iccp(odd))).value().sentence,
              std::string("its colours are read by its ICC profile 'studio'"));
@@ -389,8 +399,9 @@ class DeclaredColorsTest : public QObject {
       const ColorStatement& first = header.value().colors.statements.front();
       QVERIFY(first.space.profile != nullptr && *first.space.profile == profile);
     }
-    QVERIFY(!canStateColors("o.exr", readIccProfile(profile, "a").value().space));
-    QVERIFY(canStateColors("o.exr", builtInColorSpace("sRGB")));
+    const ColorSpace studio = readIccProfile(profile, "a").value().space;
+    QVERIFY(!canStateColors("o.exr", SampleType::half, studio));
+    QVERIFY(canStateColors("o.exr", SampleType::half, builtInColorSpace("sRGB")));
   }
 };
 

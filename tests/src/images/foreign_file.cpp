@@ -10,14 +10,10 @@ namespace cutis::test {
 
 namespace fs = std::filesystem;
 
-namespace {
-
 [[noreturn]] void fail(const std::string& what) {
   std::fprintf(stderr, "fixture: %s\n", what.c_str());
   std::abort();
 }
-
-}  // namespace
 
 float random01(unsigned& state) {
   state = state * 1664525u + 1013904223u;

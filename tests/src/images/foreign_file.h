@@ -11,6 +11,9 @@
 
 namespace cutis::test {
 
+// Ends the program: a fixture that cannot be made is no test that failed.
+[[noreturn]] void fail(const std::string& what);
+
 QByteArray readBytes(const std::filesystem::path& path);
 void writeBytes(const std::filesystem::path& path, const QByteArray& bytes);
 

@@ -2,21 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace cutis::test {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-[[noreturn]] void fail(const std::string& what) {
-  std::fprintf(stderr, "fixture: %s\n", what.c_str());
-  std::abort();
-}
-
-}  // namespace
 
 fs::path ImageFolder::path(const std::string& name) const {
   return root() / name;

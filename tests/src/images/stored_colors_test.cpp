@@ -180,19 +180,6 @@ class StoredColorsTest : public QObject {
     QVERIFY(readImage(path, {PixelFormat::float32}, nullptr, {}).failed());
   }
 
-  // Both ways in which a JPEG file holds inks: OpenImageIO hands them over as if they were red,
-  // green and blue.
-  void inksInJpegAreRefused() {
-    for (const auto& [stored, refused] :
-         {std::pair{"CMYK", true}, {"YCbCrK", true}, {"YCbCr", false}, {"RGB", false}}) {
-      OIIO::ImageSpec spec(4, 4, 3, OIIO::TypeUInt8);
-      spec.attribute("jpeg:ColorSpace", stored);
-      const auto colors = storedColorsOf(ImageFileKind::jpeg, spec, "a.jpg");
-      QCOMPARE(colors.has_value(), refused);
-      if (colors) QVERIFY(colors->objection.find("CMYK") != std::string::npos);
-    }
-  }
-
   void inksNeedTheirProfile() {
     const std::vector<std::uint32_t> samples = {0, 0,   0, 0, 255, 0, 0, 0,
                                                 0, 255, 0, 0, 0,   0, 0, 255};

@@ -8,6 +8,7 @@
 #include "core/analyse/maps_summary.h"
 #include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
+#include "core/base/word_list.h"
 #include "src/files/io/json_file.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/recipe_file.h"
@@ -30,14 +31,6 @@ std::string line(const std::string& name, const std::string& value) {
 
 std::string sizeText(int width, int height) {
   return std::to_string(width) + " × " + std::to_string(height);
-}
-
-template <typename Names>
-std::string listOf(const Names& names) {
-  std::string list;
-  for (const auto& name : names)
-    list += (list.empty() ? "" : ", ") + std::string(name);
-  return list;
 }
 
 std::vector<std::string> lightsOf(const Rig& rig) {
@@ -99,7 +92,7 @@ Result<std::string> describeMaps(const std::string& path, const Session& session
   if (!file.shading.empty()) further.emplace_back("shading");
   if (file.maps.free().count() > 0) further.emplace_back("constants");
   if (!file.constantDeviations.empty()) further.emplace_back("constants_deviation");
-  text += line("further parts", listOf(further));
+  text += line("further parts", wordList(further, ", "));
   CUTIS_TRY(counts, countStates(file.maps.state));
   text += line("pixels", statesText(counts));
   CUTIS_TRY(diffusion, diffusionText(file, path, session));
@@ -123,6 +116,7 @@ Result<std::string> describeCapture(const std::string& path, const Session& sess
   text += line("size", sizeText(measurements.width(), measurements.height()));
   text += line("rig", measurements.rig.name);
   text += line("camera", measurements.rig.camera.name);
+  text += line("encoding", capture.encoding);
   for (std::size_t k = 0; k < capture.sources.size(); ++k) {
     text += line("light " + measurements.rig.lights[k].name, capture.sources[k].file);
   }
@@ -148,9 +142,7 @@ std::string colorsText(const FileColors& colors, const std::string& path) {
       text += line("contradiction", contradiction);
   }
   for (const ColorStatement& statement : colors.statements) {
-    text += line("statement",
-                 statement.origin + ": " +
-                     (statement.space.empty() ? statement.objection : statement.space.name));
+    text += line("statement", statement.origin + ": " + statement.meaning());
   }
   return text;
 }
@@ -174,7 +166,8 @@ Result<std::string> describeImage(const std::string& path, const std::string& la
   std::string text = line("kind", "image");
   text += line("size", sizeText(header.width, header.height));
   text += line("orientation", orientationText(header));
-  text += line("channels", listOf(layer.empty() ? header.channelNames : header.layer.channelNames));
+  text += line("channels",
+               wordList(layer.empty() ? header.channelNames : header.layer.channelNames, ", "));
   text += line("layers", layers.size() > 1 ? layerNames(layers) : "");
   text += line("alpha", alphaText(header));
   text += line("samples", sampleTypeName(header.sourceType));
@@ -187,7 +180,7 @@ Result<std::string> describeImage(const std::string& path, const std::string& la
 
 std::string describeRig(const Rig& rig) {
   return line("kind", "rig") + line("name", rig.name) + line("camera", rig.camera.name) +
-         line("lights", listOf(lightsOf(rig))) +
+         line("lights", wordList(lightsOf(rig), ", ")) +
          line("noise", formatNumber(rig.noise.read) + " constant, " +
                            formatNumber(rig.noise.proportional) + " proportional");
 }
@@ -208,7 +201,7 @@ Result<std::string> describeJson(const std::string& path, const Session& session
   // A name without a folder could be a built-in one.
   const std::string file = fs::absolute(path).string();
   if (root.has("cutis_rig")) {
-    CUTIS_TRY(rig, loadRig(file, {}, path));
+    CUTIS_TRY(rig, loadRig(file, {}, path, session.context.notice));
     return describeRig(rig);
   }
   if (root.has("cutis_profile")) {

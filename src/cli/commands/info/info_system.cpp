@@ -4,6 +4,7 @@
 
 #include "core/base/instruction_set.h"
 #include "core/base/parallel.h"
+#include "core/base/word_list.h"
 #include "src/color/color_space.h"
 #include "src/files/io/platform.h"
 #include "src/files/profiles/profile_file.h"
@@ -17,13 +18,6 @@ std::string systemLine(const std::string& name, const std::string& value) {
   return name + ": " + (value.empty() ? "unknown" : value) + "\n";
 }
 
-std::string namesOf(const std::vector<std::string>& names) {
-  std::string list;
-  for (const std::string& name : names)
-    list += (list.empty() ? "" : ", ") + name;
-  return list;
-}
-
 }  // namespace
 
 std::string describeSystem() {
@@ -32,12 +26,13 @@ std::string describeSystem() {
          systemLine("processor", processorName()) +
          systemLine("threads", std::to_string(parallelThreadCount())) +
          systemLine("cache", cacheFolder().string()) +
-         systemLine("profiles", namesOf(profileNames())) + systemLine("rigs", namesOf(rigNames())) +
-         systemLine("lights", namesOf(lightNames())) +
-         systemLine("observers", namesOf(observerNames())) +
-         systemLine("cameras", namesOf(cameraNames())) +
-         systemLine("displays", namesOf(displayNames())) +
-         systemLine("colour spaces", namesOf(colorSpaceNames()));
+         systemLine("profiles", wordList(profileNames(), ", ")) +
+         systemLine("rigs", wordList(rigNames(), ", ")) +
+         systemLine("lights", wordList(lightNames(), ", ")) +
+         systemLine("observers", wordList(observerNames(), ", ")) +
+         systemLine("cameras", wordList(cameraNames(), ", ")) +
+         systemLine("displays", wordList(displayNames(), ", ")) +
+         systemLine("colour spaces", wordList(colorSpaceNames(), ", "));
 }
 
 }  // namespace cutis

@@ -60,7 +60,7 @@ Status runRigCommand(const RigCommand& command, Session& session) {
     CUTIS_CHECK(checkDrawingOutput(command.plot));
   }
   CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
-  CUTIS_TRY(rig, loadRig(command.rig, {}, "--rig"));
+  CUTIS_TRY(rig, loadRig(command.rig, {}, "--rig", session.context.notice));
   if (!command.noise.empty()) {
     CUTIS_TRY(noise, realNumbers("--noise", command.noise, 2, 0.0, 1.0));
     rig.noise = {noise[0], noise[1]};

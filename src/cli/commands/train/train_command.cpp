@@ -68,7 +68,7 @@ Result<TrainedNetworks> train(const SkinModel& model, const Rig& rig,
 
 Status runTrainCommand(const TrainCommand& command, Session& session) {
   CUTIS_CHECK(checkOutputs(command));
-  CUTIS_TRY(rig, trainedRig(command.options));
+  CUTIS_TRY(rig, trainedRig(command.options, session.context.notice));
   CUTIS_TRY(training, trainingOf(command.options, rig.noise));
   CUTIS_TRY(model, session.engine.model(command.options.profile, "--profile"));
   if (!command.sizes.empty()) {

@@ -1,0 +1,288 @@
+// What TIFF tags, PSD, WebP and HEIC say of their colours, and that these formats are read at all.
+// Files are made byte by byte, or by OpenImageIO and then changed.
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include <QtTest>
+
+#include "src/color/color_space.h"
+#include "src/images/image_file.h"
+#include "tests/src/images/image_fixture.h"
+#include "tests/support/expect.h"
+#include "tests/support/icc_bytes.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis {
+namespace {
+
+using test::ImageFolder;
+
+std::string little(std::uint64_t value, int bytes) {
+  std::string out;
+  for (int i = 0; i < bytes; ++i)
+    out += static_cast<char>(value >> (8 * i) & 0xff);
+  return out;
+}
+
+std::string big(std::uint64_t value, int bytes) {
+  std::string out;
+  test::putBytes(out, value, bytes);
+  return out;
+}
+
+struct TiffTag {
+  int tag = 0;
+  int type = 0;
+  std::uint64_t count = 0;
+  std::string value;
+};
+
+std::string rationals(const std::vector<double>& values) {
+  std::string bytes;
+  for (const double value : values)
+    bytes += little(static_cast<std::uint64_t>(std::lround(value * 1e6)), 4) + little(1000000, 4);
+  return bytes;
+}
+
+TiffTag primariesTag(const RgbPrimaries& primaries) {
+  const auto& c = primaries.chromaticities;
+  return {319, 5, 6, rationals({c[0], c[1], c[2], c[3], c[4], c[5]})};
+}
+TiffTag whiteTag(double x, double y) {
+  return {318, 5, 2, rationals({x, y})};
+}
+// Tables of so many bits, one for each curve.
+TiffTag transferTag(int bits, const std::vector<TransferCurve>& curves) {
+  std::string bytes;
+  const int entries = 1 << bits;
+  for (const TransferCurve& curve : curves) {
+    for (int i = 0; i < entries; ++i) {
+      const double light = curve.toLight(i / (entries - 1.0));
+      bytes += little(static_cast<std::uint64_t>(std::lround(light * 65535.0)), 2);
+    }
+  }
+  return {301, 3, bytes.size() / 2, bytes};
+}
+
+// 2 × 2 pixels of RGB, 8 bits, with these tags as well.
+void writeTaggedTiff(const std::filesystem::path& path, std::vector<TiffTag> tags) {
+  const std::string pixels(12, '\x80');
+  tags.insert(tags.end(), {{256, 4, 1, little(2, 4)},
+                           {257, 4, 1, little(2, 4)},
+                           {258, 3, 3, little(8, 2) + little(8, 2) + little(8, 2)},
+                           {259, 3, 1, little(1, 4)},
+                           {262, 3, 1, little(2, 4)},
+                           {273, 4, 1, little(8, 4)},
+                           {277, 3, 1, little(3, 4)},
+                           {278, 4, 1, little(2, 4)},
+                           {279, 4, 1, little(pixels.size(), 4)}});
+  std::sort(tags.begin(), tags.end(), [](const auto& a, const auto& b) { return a.tag < b.tag; });
+  std::string heap = pixels, directory = little(tags.size(), 2);
+  for (const TiffTag& tag : tags) {
+    directory += little(static_cast<std::uint64_t>(tag.tag), 2) +
+                 little(static_cast<std::uint64_t>(tag.type), 2) + little(tag.count, 4);
+    if (tag.value.size() <= 4) {
+      directory += (tag.value + std::string(4, '\0')).substr(0, 4);
+      continue;
+    }
+    directory += little(8 + heap.size(), 4);
+    heap += tag.value;
+  }
+  test::writeBytes(
+      path, QByteArray::fromStdString(std::string("II*\0", 4) + little(8 + heap.size(), 4) + heap +
+                                      directory + little(0, 4)));
+}
+
+// Layers and masks are empty; the flattened picture is stored plane by plane, uncompressed.
+std::string psd(int bits, const std::vector<std::vector<std::uint16_t>>& planes,
+                const std::string& profile) {
+  std::string resources;
+  if (!profile.empty()) {
+    resources = "8BIM" + big(1039, 2) + std::string(2, '\0') + big(profile.size(), 4) + profile +
+                std::string(profile.size() % 2, '\0');
+  }
+  std::string pixels;
+  for (const auto& plane : planes) {
+    for (const std::uint16_t value : plane)
+      pixels += big(value, bits / 8);
+  }
+  return "8BPS" + big(1, 2) + std::string(6, '\0') + big(planes.size(), 2) + big(2, 4) + big(2, 4) +
+         big(static_cast<std::uint64_t>(bits), 2) + big(3, 2) + big(0, 4) +
+         big(resources.size(), 4) + resources + big(0, 4) + big(0, 2) + pixels;
+}
+
+std::string studioProfile() {
+  return test::matrixProfile(4, kP3D65.chromaticities, test::curveTag({563}), "studio");
+}
+
+// Puts a chunk ICCP into a WebP file, whose pictures then stand behind a head VP8X.
+QByteArray withProfile(const QByteArray& webP, const std::string& profile, int width, int height,
+                       bool hasAlpha) {
+  std::string chunks = "VP8X" + little(10, 4) + little(hasAlpha ? 0x30 : 0x20, 4) +
+                       little(static_cast<std::uint64_t>(width - 1), 3) +
+                       little(static_cast<std::uint64_t>(height - 1), 3) + "ICCP" +
+                       little(profile.size(), 4) + profile + std::string(profile.size() % 2, '\0');
+  const bool isExtended = webP.mid(12, 4) == "VP8X";
+  const std::string rest = webP.mid(isExtended ? 12 + 18 : 12).toStdString();
+  const std::string body = "WEBP" + chunks + rest;
+  return QByteArray::fromStdString("RIFF" + little(body.size(), 4) + body);
+}
+
+class ForeignColorsTest : public QObject {
+  Q_OBJECT
+
+  ImageFolder folder_;
+
+  static Result<ColorDecision> decide(const std::filesystem::path& path) {
+    CUTIS_TRY(header, readImageHeader(path, {}));
+    return decideColors(header.colors, {}, path.string());
+  }
+
+  std::string outcome(const std::vector<TiffTag>& tags) {
+    writeTaggedTiff(folder_.path("t.tif"), tags);
+    const auto decided = decide(folder_.path("t.tif"));
+    if (!decided) return decided.error().message;
+    const auto against = decided.value().contradictions.size();
+    return decided.value().followed.space.name + (against == 0 ? "" : ", contradicted");
+  }
+
+ private slots:
+  void tiffTagsAreFollowed() {
+    const TransferCurve srgb = TransferCurve::srgb(), adobe = TransferCurve::power(563.0 / 256.0);
+    QCOMPARE(outcome({}), std::string("sRGB"));
+    QCOMPARE(outcome({primariesTag(kP3D65)}), std::string("Display P3"));
+    QCOMPARE(outcome({primariesTag(kP3D65), whiteTag(0.3127, 0.329), transferTag(8, {srgb})}),
+             std::string("Display P3"));
+    QCOMPARE(outcome({primariesTag(kAdobeRgb), whiteTag(0.3127, 0.329),
+                      transferTag(8, {adobe, adobe, adobe})}),
+             std::string("Adobe RGB (1998)"));
+    QCOMPARE(outcome({transferTag(8, {TransferCurve()})}), std::string("Linear Rec.709"));
+    QCOMPARE(outcome({transferTag(16, {srgb, srgb, srgb})}), std::string("sRGB"));
+    QCOMPARE(outcome({whiteTag(0.3457, 0.3585)}), std::string("sRGB"));
+    QCOMPARE(decide(folder_.path("t.tif")).value().followed.source == ColorSource::formatDefault,
+             true);
+  }
+
+  void whatTagsLeaveOpenIsSaid() {
+    outcome({primariesTag(kP3D65)});
+    QCOMPARE(
+        decide(folder_.path("t.tif")).value().sentence,
+        std::string("its colours are read as Display P3, according to its TIFF tag "
+                    "PrimaryChromaticities; a white of D65 and the curve of sRGB are assumed"));
+    outcome({primariesTag(kP3D65), whiteTag(0.3127, 0.329)});
+    QCOMPARE(decide(folder_.path("t.tif")).value().sentence,
+             std::string("its colours are read as Display P3, according to its TIFF tags "
+                         "PrimaryChromaticities and WhitePoint; the curve of sRGB is assumed"));
+  }
+
+  void badTagsAreObjections() {
+    QCOMPARE(outcome({primariesTag({"", {0.3, 0.3, 0.3, 0.3, 0.3, 0.3, 0, 0}})}),
+             std::string("its TIFF tag PrimaryChromaticities says primaries that span no colours; "
+                         "name the colour space of the file, for example sRGB"));
+    std::string falling;
+    for (int i = 0; i < 256; ++i)
+      falling += little(static_cast<std::uint64_t>(257 * (255 - i)), 2);
+    QCOMPARE(
+        outcome({{301, 3, 256, falling}}),
+        std::string("its TIFF tag TransferFunction says a transfer function that does not rise "
+                    "from black to white; name the colour space of the file, for example "
+                    "sRGB"));
+  }
+
+  void profilesComeBeforeTags() {
+    const std::string profile =
+        test::matrixProfile(4, kRec2020.chromaticities, test::curveTag({}), "wide");
+    QCOMPARE(outcome({primariesTag(kP3D65), {34675, 7, profile.size(), profile}}),
+             std::string("Linear Rec.2020, contradicted"));
+  }
+
+  // Flattened, of 8 and 16 bits, with and without alpha and profile.
+  void photoshopIsRead() {
+    for (const int bits : {8, 16}) {
+      const std::uint16_t most = bits == 8 ? 255 : 65535,
+                          third = static_cast<std::uint16_t>(most / 3);
+      const std::vector<std::vector<std::uint16_t>> rgb = {
+          {most, third, 0, third}, {third, most, 0, third}, {0, third, most, third}};
+      auto withAlpha = rgb;
+      withAlpha.push_back({most, most, most, third});
+      for (const auto& planes : {rgb, withAlpha}) {
+        test::writeBytes(folder_.path("a.psd"), QByteArray::fromStdString(psd(bits, planes, {})));
+        const auto image = readImage(folder_.path("a.psd"), {PixelFormat::float32}, nullptr, {});
+        EXPECT_OK(image);
+        QVERIFY(image.value().kind == ImageFileKind::psd);
+        QVERIFY(image.value().sourceType == (bits == 8 ? SampleType::uint8 : SampleType::uint16));
+        QCOMPARE(image.value().channels.size(), planes.size());
+        EXPECT_NEAR(test::pixelOf(image.value().channels[0], 0, 0), 1.0, 1e-6);
+        EXPECT_NEAR(test::pixelOf(image.value().channels[0], 1, 0), 1.0 / 3.0, 1e-4);
+        EXPECT_NEAR(test::pixelOf(image.value().channels[2], 0, 1), 1.0, 1e-6);
+        QCOMPARE(image.value().layer.alpha, planes.size() == 4 ? 3 : -1);
+        expectStraight(image.value(), 1, 1, 1.0 / 3.0);
+        QCOMPARE(decide(folder_.path("a.psd")).value().followed.space.name, std::string("sRGB"));
+      }
+      test::writeBytes(folder_.path("p.psd"),
+                       QByteArray::fromStdString(psd(bits, rgb, studioProfile())));
+      const auto decided = decide(folder_.path("p.psd"));
+      EXPECT_OK(decided);
+      QCOMPARE(decided.value().sentence,
+               std::string("its colours are read by its ICC profile 'studio'"));
+    }
+  }
+
+  void webPIsRead() {
+    OIIO::ImageSpec spec(20, 10, 4, OIIO::TypeUInt8);
+    spec.attribute("oiio:UnassociatedAlpha", 1);
+    spec.attribute("compression", "lossless:100");
+    std::vector<float> samples;
+    for (int i = 0; i < 200; ++i)
+      samples.insert(samples.end(), {0.8f, 0.4f, 0.2f, i < 100 ? 1.0f : 0.6f});
+    const auto path = folder_.path("a.webp");
+    test::writeForeign(path, "webp", spec, samples);
+    const auto image = readImage(path, {PixelFormat::float32}, nullptr, {});
+    EXPECT_OK(image);
+    QVERIFY(image.value().kind == ImageFileKind::webP);
+    expectStraight(image.value(), 3, 2, 0.8);
+    expectStraight(image.value(), 3, 8, 0.8);
+    QVERIFY(decide(path).value().followed.source == ColorSource::formatDefault);
+    const QByteArray plain = test::readBytes(path);
+    test::writeBytes(path, withProfile(plain, studioProfile(), 20, 10, true));
+    EXPECT_OK(readImage(path, {PixelFormat::float32}, nullptr, {}));
+    QCOMPARE(decide(path).value().sentence,
+             std::string("its colours are read by its ICC profile 'studio'"));
+  }
+
+  void heicIsRead() {
+    const auto path = folder_.path("a.heic");
+    auto output = OIIO::ImageOutput::create("heif");
+    const OIIO::ImageSpec spec(64, 48, 3, OIIO::TypeUInt8);
+    if (!output || !output->open(path.string(), spec)) QSKIP("OpenImageIO writes no HEIC here");
+    std::vector<float> samples;
+    for (int i = 0; i < 64 * 48; ++i)
+      samples.insert(samples.end(), {0.7f, 0.5f, 0.4f});
+    if (!output->write_image(OIIO::TypeFloat, samples.data()) || !output->close())
+      QSKIP("OpenImageIO writes no HEIC here");
+    const auto image = readImage(path, {PixelFormat::float32}, nullptr, {});
+    EXPECT_OK(image);
+    QVERIFY(image.value().kind == ImageFileKind::heic);
+    for (const auto& [channel, value] : {std::pair{0U, 0.7}, {1U, 0.5}, {2U, 0.4}})
+      EXPECT_NEAR(test::pixelOf(image.value().channels[channel], 30, 20), value, 0.02);
+    QCOMPARE(decide(path).value().followed.space.name, std::string("sRGB"));
+  }
+
+ private:
+  // The straight red of a pixel, whichever way the reader hands it over.
+  static void expectStraight(const Image& image, int x, int y, double red) {
+    float value = test::pixelOf(image.channels[0], x, y);
+    if (image.layer.alpha >= 0 && image.alphaKind == AlphaKind::associated)
+      value /= test::pixelOf(image.channels[static_cast<std::size_t>(image.layer.alpha)], x, y);
+    EXPECT_NEAR(value, red, 0.006);
+  }
+};
+
+CUTIS_TEST(ForeignColorsTest)
+
+}  // namespace
+}  // namespace cutis
+
+#include "foreign_colors_test.moc"
