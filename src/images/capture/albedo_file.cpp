@@ -59,6 +59,14 @@ void sayHowColorsAreRead(const ColorDecision& colors, const FileColors& file,
     context.say(place + ": " + contradiction);
 }
 
+// Planes hold floats.
+void sayLostBits(const ImageHeader& image, const std::string& place, const JobContext& context) {
+  if (image.sourceType != SampleType::uint32 && image.sourceType != SampleType::float64) return;
+  context.say(place + ": its samples of type " + sampleTypeName(image.sourceType) +
+              " are read as floats, which hold 24 bits of a number; they do not come back bit for "
+              "bit");
+}
+
 bool isGrey(const ImageHeader& image) {
   return !image.layer.colors && image.layer.prefix.empty() && image.channelIndex("Y") >= 0;
 }
@@ -169,6 +177,7 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   CUTIS_TRY(image, readImage(path, {.accept = accept, .layer = options.layer, .overscan = true},
                              store, context.child(0.0, 0.7)));
   sayHowColorsAreRead(colors, image.colors, place, context);
+  sayLostBits(image, place, context);
   if (isGrey(image)) {
     context.say(place + ": the image is grey; its red, green and blue are taken to be equal");
     widenGrey(image);

@@ -88,8 +88,11 @@ std::optional<TiffDirectory::Field> TiffDirectory::fieldAt(std::uint64_t entry) 
   const auto value = number(valueAt, word);
   if (!type || !count || !value) return {};
   const TypeLayout layout = layoutOf(*type);
-  if (layout.numbers == 0 || *count > length_) return {};
-  Field field = {valueAt, *count * static_cast<std::uint64_t>(layout.numbers), layout.bytesEach};
+  if (layout.numbers == 0) return {};
+  // Of more than the file could hold it does not matter how many there are.
+  const std::uint64_t most = std::uint64_t{1} << 62;
+  Field field = {valueAt, std::min(*count, most) * static_cast<std::uint64_t>(layout.numbers),
+                 layout.bytesEach};
   // Few values lie in the entry itself.
   if (field.count > static_cast<std::uint64_t>(word / field.bytesEach)) field.position = *value;
   return field;

@@ -255,8 +255,13 @@ class ProfileFileTest : public QObject {
     row("negative decay", "\"decay_nm\": 66.2", "\"decay_nm\": -66.2",
         "absorption.baseline.decay_nm must be positive");
     row("infinite absorption", "\"coefficient\": 6.6e10", "\"coefficient\": 1e308",
-        "absorption must be below a million per mm over the whole parameter range, and is not at "
-        "300 nm");
+        "absorption.eumelanin must be such that it absorbs below a million per mm from 300");
+    row("negative pigment", "\"coefficient\": 6.6e10", "\"coefficient\": -1",
+        "absorption.eumelanin.coefficient must be zero or positive");
+    row("huge baseline", "\"constant\": 0.0244", "\"constant\": 1e30",
+        "absorption.baseline.constant must be below a million");
+    row("far tail", "\"decay_nm\": 66.2", "\"decay_nm\": 1e200",
+        "absorption.baseline.decay_nm must be positive and at most 100000");
     row("optics", "\"diffusion\"", "\"magic\"",
         "layer_optics must be \"diffusion\" or \"adding-doubling\"");
     row("reference", "\"exponent\": -4.75", "\"exponent\": -4.75, \"at_nm\": 0",
@@ -298,7 +303,10 @@ class ProfileFileTest : public QObject {
         "absorption.carotene.smoothing_nm must be between 0 and 100");
     row("\"peak\": 0.012, ", "", "absorption.fat.peak must be a number (it is missing)");
     row("\"peak\": 0.012", "\"peak\": -0.012",
-        "absorption.fat.peak must be finite and not negative");
+        "absorption.fat.peak must be between 0 and a million");
+    row("\"peak\": 0.012", "\"peak\": 1e9", "absorption.fat.peak must be between 0 and a million");
+    row("\"deviation_nm\": 22", "\"deviation_nm\": 1e300",
+        "absorption.fat.deviation_nm must be positive and at most 100000");
     row("\"deviation_nm\": 22", "\"deviation_nm\": 0",
         "absorption.fat.deviation_nm must be positive");
     row("\"deviation_nm\": 22", "\"deviation_nm\": 22, \"skew\": 1",
@@ -328,8 +336,6 @@ class ProfileFileTest : public QObject {
         "epidermis.ultraviolet.amplitude must be a finite number");
     row("\"baseline_factor\": 0.48", "\"baseline_factor\": -0.48",
         "dermis.baseline_factor must be between 0 and 10");
-    row("\"fat\": {", "\"eumelanin\": {\"coefficient\": 1e300, \"exponent\": 1}, \"fat\": {",
-        "absorption.eumelanin must be such that it absorbs below a million per mm");
     row("\"baseline_factor\": 0.48", "\"scattering_ratio\": 0.5",
         "dermis.scattering_ratio must be left out where the dermis has scattering laws");
     row("\"coefficient\": 2.585", "\"coefficient\": -258.5",

@@ -20,6 +20,26 @@ class SpectralLibraryTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // What was left out of a file reaches whoever asked for the curve, by itself or through a rig.
+  void noticesOfFilesAreHeard() {
+    test::ScratchFolder folder;
+    std::string light = "Title,400 nm,500 nm,600 nm,700 nm,CCT\nlamp,1,2,3,4,5600\n";
+    folder.write("lamp.csv", light);
+    std::vector<std::string> heard;
+    const Notice notice = [&](const std::string& sentence) { heard.push_back(sentence); };
+    EXPECT_OK(loadLight({(folder / "lamp.csv").string(), {}, "t", notice}));
+    QCOMPARE(heard.size(), std::size_t{1});
+    QVERIFY2(
+        heard[0].find("columns behind the wavelengths are left out: 'CCT'") != std::string::npos,
+        heard[0].c_str());
+    EXPECT_OK(loadLight({(folder / "lamp.csv").string(), {}, "t"}));
+    heard.clear();
+    folder.write("rig.json", R"({"cutis_rig": 1, "name": "r", "camera": {"sensitivity": "cie1931"},
+                                 "lights": [{"name": "lamp", "spectrum": "lamp.csv"}]})");
+    EXPECT_OK(loadRig((folder / "rig.json").string(), {}, "t", notice));
+    QCOMPARE(heard.size(), std::size_t{1});
+  }
+
   // resources/manual/file_formats.md: stems of the library without `cie_`.
   void namesAreTheDocumentedOnes() {
     for (const char* name : {"D65", "A", "FL2", "LED_B3", "E"})
@@ -144,5 +164,7 @@ CUTIS_TEST(SuggestionTest)
 
 }  // namespace
 }  // namespace cutis
+
+#include "src/files/rig_file.h"
 
 #include "spectral_library_test.moc"

@@ -69,6 +69,24 @@ class AlbedoFileTest : public QObject {
   }
 
  private slots:
+  // Planes hold floats, of whatever the file is.
+  void samplesOfMoreBitsAreSaid() {
+    for (const auto& [type, says] :
+         {std::pair{OIIO::TypeUInt32, "its samples of type 32 bit are read as floats"},
+          std::pair{OIIO::TypeDesc(OIIO::TypeDesc::DOUBLE), "its samples of type double"},
+          std::pair{OIIO::TypeUInt16, ""}}) {
+      const auto path = folder_.path("wide.tif");
+      test::writeForeign(path, "tiff", OIIO::ImageSpec(4, 4, 3, type),
+                         std::vector<float>(48, 0.25f));
+      test::Listener listener;
+      EXPECT_OK(readAlbedo(path, {}, test::albedoRig(), nullptr, listener.context()));
+      std::string all;
+      for (const std::string& sentence : listener.sentences)
+        all += sentence;
+      QVERIFY2(*says == '\0' ? all.empty() : all.find(says) != std::string::npos, all.c_str());
+    }
+  }
+
   void init() { qunsetenv("OCIO"); }
 
   // A neutral reflectance reads the same in all channels, a perfect diffuser 1.

@@ -1,13 +1,14 @@
 // What TIFF tags, PSD, WebP and HEIC say of their colours, and that these formats are read at all.
 // Files are made byte by byte, or by OpenImageIO and then changed.
 
-#include <bit>
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
 
 #include <QtTest>
 
 #include "src/color/color_space.h"
+#include "src/images/color/heif_color.h"
 #include "src/images/image_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
@@ -95,7 +96,16 @@ void writeTaggedTiff(const std::filesystem::path& path, std::vector<TiffTag> tag
                                       directory + little(0, 4)));
 }
 
-// Layers and masks are empty; the flattened picture is stored plane by plane, uncompressed.
+// A layer without pixels of its own. That there is minus one of it says that the fourth plane of
+// the flattened picture is its transparency.
+std::string psdLayers() {
+  const std::string layer = std::string(16, '\0') + big(0, 2) + "8BIMnorm" +
+                            std::string("\xff\0\0\0", 4) + big(12, 4) + std::string(12, '\0');
+  const std::string layers = big(0xffff, 2) + layer;
+  return big(layers.size() + 8, 4) + big(layers.size(), 4) + layers + big(0, 4);
+}
+
+// The flattened picture is stored plane by plane, uncompressed.
 std::string psd(int bits, const std::vector<std::vector<std::uint16_t>>& planes,
                 const std::string& profile) {
   std::string resources;
@@ -110,24 +120,70 @@ std::string psd(int bits, const std::vector<std::vector<std::uint16_t>>& planes,
   }
   return "8BPS" + big(1, 2) + std::string(6, '\0') + big(planes.size(), 2) + big(2, 4) + big(2, 4) +
          big(static_cast<std::uint64_t>(bits), 2) + big(3, 2) + big(0, 4) +
-         big(resources.size(), 4) + resources + big(0, 4) + big(0, 2) + pixels;
+         big(resources.size(), 4) + resources + (planes.size() > 3 ? psdLayers() : big(0, 4)) +
+         big(0, 2) + pixels;
 }
 
 std::string studioProfile() {
   return test::matrixProfile(4, kP3D65.chromaticities, test::curveTag({563}), "studio");
 }
 
-// Puts a chunk ICCP into a WebP file, whose pictures then stand behind a head VP8X.
-QByteArray withProfile(const QByteArray& webP, const std::string& profile, int width, int height,
-                       bool hasAlpha) {
-  std::string chunks = "VP8X" + little(10, 4) + little(hasAlpha ? 0x30 : 0x20, 4) +
-                       little(static_cast<std::uint64_t>(width - 1), 3) +
-                       little(static_cast<std::uint64_t>(height - 1), 3) + "ICCP" +
-                       little(profile.size(), 4) + profile + std::string(profile.size() % 2, '\0');
-  const bool isExtended = webP.mid(12, 4) == "VP8X";
-  const std::string rest = webP.mid(isExtended ? 12 + 18 : 12).toStdString();
-  const std::string body = "WEBP" + chunks + rest;
-  return QByteArray::fromStdString("RIFF" + little(body.size(), 4) + body);
+std::string chunk(const std::string& name, const std::string& content) {
+  return name + little(content.size(), 4) + content + std::string(content.size() % 2, '\0');
+}
+
+// A lossless WebP (RFC 9649) of one straight colour: five prefix codes of one symbol each, after
+// which no pixel needs a bit.
+std::string webP(int width, int height, const std::array<int, 4>& rgba,
+                 const std::string& profile) {
+  std::vector<bool> bits;
+  const auto put = [&](int value, int count) {
+    for (int i = 0; i < count; ++i)
+      bits.push_back((value >> i & 1) != 0);
+  };
+  put(0x2f, 8);
+  put(width - 1, 14);
+  put(height - 1, 14);
+  put(1, 1);  // alpha is used
+  put(0, 3);  // version
+  put(0, 3);  // no transform, no cache of colours, one group of codes
+  for (const int symbol : {rgba[1], rgba[0], rgba[2], rgba[3], 0}) {
+    put(1, 1);  // a simple code
+    put(0, 1);  // of one symbol
+    put(1, 1);  // in 8 bits
+    put(symbol, 8);
+  }
+  std::string pixels((bits.size() + 7) / 8, '\0');
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    pixels[i / 8] = static_cast<char>(pixels[i / 8] | (bits[i] ? 1 << i % 8 : 0));
+  std::string body = "WEBP";
+  if (!profile.empty()) {
+    body += chunk("VP8X", little(0x30, 4) + little(static_cast<std::uint64_t>(width - 1), 3) +
+                              little(static_cast<std::uint64_t>(height - 1), 3)) +
+            chunk("ICCP", profile);
+  }
+  body += chunk("VP8L", pixels);
+  return "RIFF" + little(body.size(), 4) + body;
+}
+
+std::string box(const std::string& name, const std::string& content) {
+  return big(content.size() + 8, 4) + name + content;
+}
+
+// The boxes of a HEIC file that speak of colours: the first picture has the first property, the
+// second, which is the primary one, the others.
+std::string heifBoxes(const std::vector<std::string>& colr) {
+  std::string properties = box("colr", "prof" + std::string("of another picture"));
+  std::string places = big(1, 2) + big(1, 1) + big(1, 1) + big(2, 2) + big(colr.size(), 1);
+  for (std::size_t i = 0; i < colr.size(); ++i) {
+    properties += box("colr", colr[i]);
+    places += big(0x80 | (i + 2), 1);  // essential
+  }
+  const std::string meta =
+      big(0, 4) + box("pitm", big(0, 4) + big(2, 2)) +
+      box("iprp", box("ipco", properties) + box("ipma", big(0, 4) + big(2, 4) + places));
+  return box("ftyp", "heic" + big(0, 4) + "mif1heic") + box("free", "abc") + box("meta", meta) +
+         box("mdat", "pixels");
 }
 
 class ForeignColorsTest : public QObject {
@@ -231,25 +287,51 @@ class ForeignColorsTest : public QObject {
   }
 
   void webPIsRead() {
-    OIIO::ImageSpec spec(20, 10, 4, OIIO::TypeUInt8);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    spec.attribute("compression", "lossless:100");
-    std::vector<float> samples;
-    for (int i = 0; i < 200; ++i)
-      samples.insert(samples.end(), {0.8f, 0.4f, 0.2f, i < 100 ? 1.0f : 0.6f});
     const auto path = folder_.path("a.webp");
-    test::writeForeign(path, "webp", spec, samples);
-    const auto image = readImage(path, {PixelFormat::float32}, nullptr, {});
-    EXPECT_OK(image);
-    QVERIFY(image.value().kind == ImageFileKind::webP);
-    expectStraight(image.value(), 3, 2, 0.8);
-    expectStraight(image.value(), 3, 8, 0.8);
-    QVERIFY(decide(path).value().followed.source == ColorSource::formatDefault);
-    const QByteArray plain = test::readBytes(path);
-    test::writeBytes(path, withProfile(plain, studioProfile(), 20, 10, true));
-    EXPECT_OK(readImage(path, {PixelFormat::float32}, nullptr, {}));
-    QCOMPARE(decide(path).value().sentence,
-             std::string("its colours are read by its ICC profile 'studio'"));
+    for (const std::string& profile : {std::string(), studioProfile()}) {
+      for (const int alpha : {255, 153}) {
+        test::writeBytes(path,
+                         QByteArray::fromStdString(webP(20, 10, {204, 102, 51, alpha}, profile)));
+        const auto image = readImage(path, {PixelFormat::float32}, nullptr, {});
+        EXPECT_OK(image);
+        QVERIFY(image.value().kind == ImageFileKind::webP);
+        QCOMPARE(image.value().width, 20);
+        expectStraight(image.value(), 19, 9, 0.8);
+        EXPECT_NEAR(test::pixelOf(image.value().channels[3], 19, 9), alpha / 255.0, 1e-6);
+      }
+      const auto decided = decide(path);
+      EXPECT_OK(decided);
+      QCOMPARE(decided.value().sentence,
+               std::string(profile.empty()
+                               ? "it says nothing of its colours, which are read as sRGB, the "
+                                 "default for integers"
+                               : "its colours are read by its ICC profile 'studio'"));
+    }
+  }
+
+  void heicSaysItsColors() {
+    const auto path = folder_.path("boxes.heic");
+    const auto said = [&](const std::string& bytes) {
+      test::writeBytes(path, QByteArray::fromStdString(bytes));
+      return readHeifColors(path);
+    };
+    const std::string nclx = "nclx" + big(9, 2) + big(16, 2) + big(9, 2) + big(0, 1);
+    const std::string whole = heifBoxes({nclx, "prof" + studioProfile()});
+    const HeifColors both = said(whole);
+    QVERIFY(both.profile && *both.profile == studioProfile());
+    QVERIFY(both.codePoints && both.codePoints->primaries == 9 && both.codePoints->transfer == 16);
+    QVERIFY(both.codePoints->matrix == 0 && both.codePoints->fullRange);
+    const HeifColors neither = said(heifBoxes({}));
+    QVERIFY(!neither.profile && !neither.codePoints);
+    for (std::size_t length = 0; length < whole.size(); length += 7) {
+      const HeifColors cut = said(whole.substr(0, length));
+      QVERIFY(!cut.profile || *cut.profile == studioProfile());
+    }
+    for (std::size_t at = 0; at < 200; ++at) {
+      std::string damaged = whole;
+      damaged[at] = static_cast<char>(damaged[at] ^ 0xff);
+      said(damaged);
+    }
   }
 
   void heicIsRead() {

@@ -68,6 +68,34 @@ class MeasuredSpectraTest : public QObject {
     EXPECT_OK(parse("nm,a\n390,-\n400,.2\n500,.3\n710,\n"));
   }
 
+  // A file of a light has numbers that could be reflectances.
+  void lightsAreQuestioned_data() {
+    QTest::addColumn<QString>("head");
+    QTest::addColumn<QString>("question");
+    const auto row = [](const char* head, const char* question) {
+      QTest::newRow(head) << QString(head) + "\n" << QString(question);
+    };
+    row("Spectral irradiance", "m.csv:1: 'irradiance' speaks of light that is emitted");
+    row("Device: meter\nIlluminance,520", "m.csv:2: 'illuminance' speaks");
+    row("unit: W/m2/nm", "m.csv:1: 'w/m2' speaks");
+    row("unit: µW/cm²/nm", "m.csv:1: 'w/cm' speaks");
+    row("Radiance factor", "");
+    row("Reflectance under an irradiance of 1000 lx", "");
+    row("Skin of the cheek", "");
+  }
+  void lightsAreQuestioned() {
+    QFETCH(QString, head);
+    QFETCH(QString, question);
+    std::vector<std::string> said;
+    JobContext context;
+    context.notice = [&](const std::string& sentence) { said.push_back(sentence); };
+    const std::string text = head.toStdString() + "nm,a\n400,.1\n450,.2\n500,.3\n550,.4\n";
+    EXPECT_OK(parseMeasuredSpectra(text, "m.csv", {}, 2, context));
+    QCOMPARE(said.size(), std::size_t{question.isEmpty() ? 0U : 1U});
+    if (!said.empty())
+      QVERIFY2(said[0].find(question.toStdString()) != std::string::npos, said[0].c_str());
+  }
+
   // Instruments are noisy at their ends.
   void negativeValuesOutsideTheRangeDoNotMatter() {
     EXPECT_OK(parse("id,390,400,500\na,-.1,.2,.3\n"));
