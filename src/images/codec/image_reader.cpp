@@ -68,8 +68,10 @@ void nameConverted(ImagePart& part) {
 AlphaKind alphaKindOf(ImageFileKind kind, const OIIO::ImageSpec& spec) {
   if (spec.alpha_channel < 0 && kind != ImageFileKind::openExr) return AlphaKind::straight;
   if (spec.get_int_attribute("oiio:UnassociatedAlpha") != 0) return AlphaKind::straight;
-  // Its reader divides nothing, and writers of BMP do not multiply.
-  return kind == ImageFileKind::bmp ? AlphaKind::straight : AlphaKind::associated;
+  // The reader of BMP divides nothing, and writers of BMP do not multiply. That of Photoshop files
+  // does as it is asked and does not say so.
+  const bool isStraight = kind == ImageFileKind::bmp || kind == ImageFileKind::psd;
+  return isStraight ? AlphaKind::straight : AlphaKind::associated;
 }
 
 Error noMemory(const std::string& place) {

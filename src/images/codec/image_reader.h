@@ -99,8 +99,9 @@ class ImageReader {
   std::string place_;
   ImageFileKind kind_ = ImageFileKind::png;
   int partCount_ = 1;
-  OIIO::ImageInput::unique_ptr input_;
+  // Outlives the input, which may have something to say when it is closed, too.
   std::shared_ptr<const LibrarySilence> silence_ = std::make_shared<const LibrarySilence>();
+  OIIO::ImageInput::unique_ptr input_;
 };
 
 }  // namespace cutis

@@ -76,27 +76,6 @@ class CaptureFileTest : public QObject {
     return measurements;
   }
 
-  // The capture with two 16-bit PNG files of this space, level 0.5 in their numbers.
-  Result<Capture> declared(const char* encoding, const ColorSpace& space) {
-    ImageContent content;
-    content.channelNames = {"R", "G", "B"};
-    content.channels.assign(3, makePlane(20, 10, [](int, int) { return 0.5f; }));
-    content.colorSpace = space;
-    for (const char* name : {"white.png", "green.png"})
-      CUTIS_CHECK(writeImage(path(name), content, SampleType::uint16, {}));
-    QByteArray text = kThreeLights;
-    text.replace("white.exr", "white.png").replace("green.exr", "green.png");
-    if (QByteArray(encoding) != "linear")
-      text.replace("\"cutis_capture\": 1", "\"cutis_capture\": 2").replace("\"linear\"", encoding);
-    describe(text);
-    return read(folder_->root());
-  }
-
-  // What white.png reads in the middle.
-  static float whiteOf(const Result<Capture>& capture) {
-    return pixelOf(capture.value().measurements.channels[0], 7, 3);
-  }
-
  private slots:
   void init() {
     folder_ = std::make_unique<ImageFolder>();
@@ -105,36 +84,6 @@ class CaptureFileTest : public QObject {
     photograph("green.exr", 0.4f);
     photograph("sub/blue.exr", 0.25f);
     describe(kThreeLights);
-  }
-
-  void declarationAndFilesAreCompared() {
-    EXPECT_OK(declared("linear", {}));
-    EXPECT_OK(declared("linear", builtInColorSpace("Linear Rec.709")));
-    EXPECT_ERROR(declared("linear", builtInColorSpace("sRGB")),
-                 "the capture declares its photographs linear, but this one is sRGB, as its sRGB "
-                 "chunk says; write \"encoding\": \"sRGB\" with \"cutis_capture\": 2 into "
-                 "capture.json if that is so");
-    EXPECT_ERROR(declared("linear", builtInColorSpace("Display P3")),
-                 "is Display P3, as its cICP chunk says");
-    EXPECT_ERROR(declared("\"sRGB\"", builtInColorSpace("Linear Rec.709")),
-                 "the capture declares its photographs sRGB, but this one is Linear Rec.709");
-  }
-
-  // In version 2 the curve of a colour space is undone, and nothing else of it.
-  void encodingsAreUndone() {
-    EXPECT_NEAR(whiteOf(declared("linear", {})), 0.5, 1e-4);
-    for (const char* name : {"sRGB", "Gamma 2.2 Rec.709"}) {
-      const auto capture = declared("\"sRGB\"", builtInColorSpace(name));
-      EXPECT_OK(capture);
-      EXPECT_NEAR(whiteOf(capture), 0.21404, 1e-4);
-      QCOMPARE(capture.value().encoding, std::string("sRGB"));
-      QCOMPARE(pixelOf(capture.value().measurements.state, 7, 3), 0.0f);
-    }
-    EXPECT_NEAR(whiteOf(declared("\"Display P3\"", builtInColorSpace("Display P3"))), 0.21404,
-                1e-4);
-    EXPECT_NEAR(whiteOf(declared("\"raw\"", builtInColorSpace("sRGB"))), 0.5, 1e-4);
-    EXPECT_NEAR(whiteOf(declared("\"sRGB\"", {})), 0.21404, 1e-4);
-    EXPECT_ERROR(declared("\"sRBG\"", {}), "encoding: unknown colour space 'sRBG'");
   }
 
   void channelsComeInTheOrderOfTheRig() {

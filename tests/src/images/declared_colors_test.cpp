@@ -387,6 +387,28 @@ class DeclaredColorsTest : public QObject {
     QVERIFY(input->read_image(0, 0, 0, -1, OIIO::TypeUInt8, pixels.data()));
   }
 
+  // What code points said is said by the same code points again; no profile has such curves.
+  void codePointsAreStatedAgain() {
+    for (const std::string& chunk :
+         {cicp(9, 16), cicp(9, 18), cicp(12, 16), cicp(1, 13, 0, 0), cicp(9, 18, 0, 0)}) {
+      const auto read = decide(png(chunk));
+      EXPECT_OK(read);
+      const ColorSpace& space = read.value().followed.space;
+      ImageContent content = test::makeContent(8, 8, {"R", "G", "B"});
+      content.colorSpace = space;
+      test::Listener listener;
+      EXPECT_OK(writeImage(folder_.path("o.png"), content, SampleType::uint8, listener.context()));
+      QVERIFY(listener.sentences.empty());
+      QVERIFY(test::readBytes(folder_.path("o.png")).contains(QByteArray::fromStdString(chunk)));
+      QCOMPARE(decide(folder_.path("o.png")).value().followed.space.name, space.name);
+      QVERIFY(!canStateColors("o.tif", SampleType::uint8, space));
+      QVERIFY(!canStateColors("o.jpg", SampleType::uint8, space));
+      // Black and white have other numbers in 16 bits.
+      const bool isNarrow = space.name.ends_with("narrow range");
+      QCOMPARE(canStateColors("o.png", SampleType::uint16, space), !isNarrow);
+    }
+  }
+
   void profilesOfTheSourceAreEmbeddedAgain() {
     const std::string profile =
         profileOf(kRec2020, test::sampledTag(256, [](double v) { return v * v; }), "studio");
