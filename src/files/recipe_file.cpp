@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/echoed_text.h"
+#include "core/simulate/skin_patch.h"
 #include "core/skin/profile/chromophore_table.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/text_file.h"
@@ -202,8 +204,11 @@ Result<RecipeFile> parseRecipe(std::string_view text, const std::string& place) 
   CUTIS_CHECK(
       root.allowOnly({"cutis_recipe", "name", "description", "width", "height", "seed", "skin"}));
   RecipeFile recipe;
-  if (root.has("width")) CUTIS_CHECK(read(root, "width", recipe.width));
-  if (root.has("height")) CUTIS_CHECK(read(root, "height", recipe.height));
+  for (const auto& [key, side] : {std::pair{"width", &recipe.width}, {"height", &recipe.height}}) {
+    if (root.has(key)) CUTIS_CHECK(read(root, key, *side));
+    if (*side >= 1 && *side <= kLargestPatch) continue;
+    return root.error(key, "between 1 and " + std::to_string(kLargestPatch));
+  }
   int seed = 1;
   if (root.has("seed")) CUTIS_CHECK(read(root, "seed", seed));
   if (seed < 0) return root.error("seed", "zero or positive");

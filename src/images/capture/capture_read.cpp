@@ -124,17 +124,17 @@ class CaptureReader {
     if (declared.isRaw || statements.empty() || statements.front().space.empty()) return {};
     const ColorStatement& stated = statements.front();
     if (hasCurves(stated.space, declared.curves)) return {};
-    const bool canBeDecoded = stated.space.isNamed && stated.space.matrix;
-    const std::string wayOut = canBeDecoded
-                                   ? "write \"encoding\": \"" + stated.space.name +
-                                         "\" with \"cutis_capture\": 2 into " + kCaptureFile
-                                   : "save it as " + declared.name;
+    const std::string inVersion2 = "write \"cutis_capture\": 2 and \"encoding\": ";
+    const std::string wayOut = stated.space.isNamed && stated.space.matrix
+                                   ? inVersion2 + "\"" + stated.space.name + "\" into " +
+                                         kCaptureFile + " if that is so, or \"raw\""
+                                   : "save it as " + declared.name + " if that is so, or " +
+                                         inVersion2 + "\"raw\" into " + kCaptureFile;
     return inputError(entry.path.string(),
                       "the capture declares its photographs " + declared.name +
                           ", but this one is " + stated.space.name + ", as " + stated.origin +
                           " says; " + wayOut +
-                          " if that is so, or \"encoding\": \"raw\" if its numbers are " +
-                          "proportional to light all the same");
+                          " if its numbers are proportional to light all the same");
   }
 
   // Pixels belong together by their place in the files' common coordinates.

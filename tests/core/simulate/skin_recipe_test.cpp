@@ -85,6 +85,12 @@ class SkinRecipeTest : public QObject {
   void otherFilesAndNewerVersionsAreRefused() {
     EXPECT_ERROR(parseRecipe("{\"cutis_rig\": 1}", "rig.json"), "\"cutis_recipe\": 1 is missing");
     EXPECT_ERROR(parseRecipe("{\"cutis_recipe\": 2}", "new.json"), "newer version of Cutis");
+    for (const char* width : {"0", "-5", "8193", "2000000000"}) {
+      EXPECT_ERROR(
+          parseRecipe(std::string("{\"cutis_recipe\": 1, \"skin\": {}, \"width\": ") + width + "}",
+                      "w.json"),
+          "w.json: width must be between 1 and 8192");
+    }
     EXPECT_ERROR(parseRecipe("{\"cutis_recipe\": 1,\n oops}", "bad.json"), "bad.json:2:");
     EXPECT_ERROR(parseRecipe("{\"cutis_recipe\": 1}", "empty.json"), "skin must be an object");
     EXPECT_ERROR(loadRecipe("smaple", "--recipe"), "--recipe: unknown recipe 'smaple'");

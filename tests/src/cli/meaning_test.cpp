@@ -7,6 +7,7 @@
 
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"
+#include "tests/support/icc_bytes.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis::test {
@@ -99,7 +100,7 @@ class MeaningTest : public QObject {
     for (const char* line :
          {"info odd.png", "fit odd.png -o odd.exr", "apply odd.png -o odd_again.png --melanin 2",
           "apply odd.png -o odd.tif", "info odd_again.png", "apply odd.tif -o odd_third.png",
-          "fit skin.png --mask odd.png -o odd_mask.exr"}) {
+          "fit odd.png --mask odd.png -o odd_mask.exr"}) {
       const Outcome outcome = run_.run(line);
       QCOMPARE(outcome.status, 0);
       for (const std::string& sentence : linesOf(outcome.errors))

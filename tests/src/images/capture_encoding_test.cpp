@@ -44,8 +44,16 @@ class CaptureEncodingTest : public QObject {
     EXPECT_OK(declared("linear", builtInColorSpace("Linear Rec.709")));
     EXPECT_ERROR(declared("linear", builtInColorSpace("sRGB")),
                  "the capture declares its photographs linear, but this one is sRGB, as its sRGB "
-                 "chunk says; write \"encoding\": \"sRGB\" with \"cutis_capture\": 2 into "
-                 "capture.json if that is so");
+                 "chunk says; write \"cutis_capture\": 2 and \"encoding\": \"sRGB\" into "
+                 "capture.json if that is so, or \"raw\" if its numbers are proportional to light");
+    const ColorSpace odd =
+        readIccProfile(test::matrixProfile(4, kRec709.chromaticities, test::curveTag({461}), "odd"),
+                       "odd")
+            .value()
+            .space;
+    EXPECT_ERROR(declared("linear", odd),
+                 "as its ICC profile 'odd' says; save it as linear if that is so, or write "
+                 "\"cutis_capture\": 2 and \"encoding\": \"raw\" into capture.json");
     EXPECT_ERROR(declared("linear", builtInColorSpace("Display P3")),
                  "is Display P3, as its cICP chunk says");
     EXPECT_ERROR(declared("sRGB", builtInColorSpace("Linear Rec.709")),
@@ -73,5 +81,8 @@ CUTIS_TEST(CaptureEncodingTest)
 
 }  // namespace
 }  // namespace cutis
+
+#include "src/color/icc_profile.h"
+#include "tests/support/icc_bytes.h"
 
 #include "capture_encoding_test.moc"
