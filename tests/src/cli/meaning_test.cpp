@@ -181,6 +181,4 @@ CUTIS_TEST(MeaningTest)
 }  // namespace
 }  // namespace cutis::test
 
-#include "tests/support/icc_bytes.h"
-
 #include "meaning_test.moc"

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "src/files/io/suggestion.h"
+#include "src/files/rig_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
@@ -164,7 +165,5 @@ CUTIS_TEST(SuggestionTest)
 
 }  // namespace
 }  // namespace cutis
-
-#include "src/files/rig_file.h"
 
 #include "spectral_library_test.moc"

@@ -3,10 +3,12 @@
 #include <QtTest>
 
 #include "src/color/color_space.h"
+#include "src/color/icc_profile.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/image_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
+#include "tests/support/icc_bytes.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -81,8 +83,5 @@ CUTIS_TEST(CaptureEncodingTest)
 
 }  // namespace
 }  // namespace cutis
-
-#include "src/color/icc_profile.h"
-#include "tests/support/icc_bytes.h"
 
 #include "capture_encoding_test.moc"
