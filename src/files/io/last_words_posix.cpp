@@ -1,3 +1,4 @@
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -42,6 +43,27 @@ void onTerminate() {
   ::_exit(kNoMemoryStatus);
 }
 
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// Some libraries use what they were not given while they set themselves up.
+void onCrashOfLibrary(int) {
+  sayLastWords(kNoMemory);
+  ::_exit(kNoMemoryStatus);
+}
+
+void watchCrashes() {
+  std::signal(SIGSEGV, onCrashOfLibrary);
+}
+
+// Set up after all libraries: from here on a crash is one.
+struct LibrariesAreReady {
+  LibrariesAreReady() { std::signal(SIGSEGV, SIG_DFL); }
+};
+const LibrariesAreReady kLibrariesAreReady;
+#else
+// Sanitizers report crashes.
+void watchCrashes() {}
+#endif
+
 // Libraries need memory to set themselves up, which is before main(), and before everything of
 // ours.
 void watchLibraries(int, char** arguments, char**) {
@@ -50,6 +72,7 @@ void watchLibraries(int, char** arguments, char**) {
     program = slash != nullptr ? slash + 1 : arguments[0];
   }
   std::set_terminate(onTerminate);
+  watchCrashes();
 }
 
 #ifdef __linux__
