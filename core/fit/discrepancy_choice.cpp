@@ -1,0 +1,14 @@
+#include "core/fit/discrepancy_choice.h"
+
+#include "core/fit/assumed_noise.h"
+
+namespace cutis {
+
+const Discrepancy* chosenDiscrepancy(const Profile& profile, const Rig& rig,
+                                     const FitOptions& options) {
+  const bool mayHaveOne = options.method == FitMethod::refined && options.free.count() == 0;
+  if (!mayHaveOne || !options.discrepancy.value_or(!asksForExact(rig, options))) return nullptr;
+  return profile.discrepancies.of(options.surface);
+}
+
+}  // namespace cutis
