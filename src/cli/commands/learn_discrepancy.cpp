@@ -12,31 +12,30 @@
 namespace cutis {
 namespace {
 
-constexpr char kPhotographs[] = "monitor";
-constexpr char kColor[] = "albedo";
+constexpr char kJudgedRig[] = "monitor";
+constexpr char kJudgedColorRig[] = "albedo";
 constexpr double kJudgedNoise = 0.005;
-constexpr int kTableDecimals = 4;
+constexpr int kGainDecimals = 4;
 constexpr std::array<const char*, kGainRangeCount> kRangeLabels = {"320-400 nm", "400-700 nm",
                                                                    "700-1000 nm"};
 constexpr std::array kRangeOrder = {GainRange::visible, GainRange::ultraviolet,
                                     GainRange::nearInfrared};
 
-std::string labelOf(const JudgedChannels& channels) {
+std::string channelsLabel(const JudgedChannels& channels) {
   const std::string noise =
       channels.noise == 0.0 ? "no noise" : formatNumber(100.0 * channels.noise) + " % noise";
   return channels.rig.name + ", " + noise;
 }
 
-std::string tableOf(const DiscrepancyStudy& study, const DiscrepancyFigures& figures) {
+std::string gainTableOf(const DiscrepancyStudy& study, const DiscrepancyFigures& figures) {
   TextTable table({"median RMSE on people left out", "over", "without", "with"}, 2);
   for (std::size_t c = 0; c < study.channels.size(); ++c) {
     for (const GainRange range : kRangeOrder) {
       const auto index = static_cast<std::size_t>(range);
       const DiscrepancyGain& gain = figures.gains[c][index];
       if (std::isnan(gain.with)) continue;
-      table.add({labelOf(study.channels[c]), kRangeLabels[index],
-                 fixedNumber(gain.without, kTableDecimals),
-                 fixedNumber(gain.with, kTableDecimals)});
+      table.add({channelsLabel(study.channels[c]), kRangeLabels[index],
+                 fixedNumber(gain.without, kGainDecimals), fixedNumber(gain.with, kGainDecimals)});
     }
   }
   return table.text();
@@ -48,8 +47,8 @@ Result<LearnedProfile> learnProfile(const CalibrationRecipe& recipe, const Measu
                                     int halvings, std::uint64_t seed, const std::string& place,
                                     const JobContext& context) {
   CUTIS_TRY(study, discrepancyStudyOf(recipe, spectra));
-  CUTIS_TRY(photographs, loadRig(kPhotographs, {}, "rig"));
-  CUTIS_TRY(color, loadRig(kColor, {}, "rig"));
+  CUTIS_TRY(photographs, loadRig(kJudgedRig, {}, "rig"));
+  CUTIS_TRY(color, loadRig(kJudgedColorRig, {}, "rig"));
   study.channels = {{photographs, 0.0}, {photographs, kJudgedNoise}, {color, 0.0}};
   study.halvings = halvings;
   study.seed = seed;
@@ -63,7 +62,7 @@ Result<LearnedProfile> learnProfile(const CalibrationRecipe& recipe, const Measu
   if (figures.failed()) return Error{figures.error().kind, place, figures.error().message};
   if (!figures) return figures.failure();
   CUTIS_TRY(text, learnedProfileText(recipe, figures.value().discrepancies, spectra.ids.size()));
-  return LearnedProfile{text, halvings > 0 ? tableOf(study, figures.value()) : std::string()};
+  return LearnedProfile{text, halvings > 0 ? gainTableOf(study, figures.value()) : std::string()};
 }
 
 }  // namespace cutis

@@ -12,6 +12,7 @@
 
 #include "core/base/random.h"
 #include "core/fit/population.h"
+#include "core/maths/decompositions.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/test_registry.h"
@@ -84,6 +85,21 @@ double rmsOf(const Value& value) {
   return std::sqrt(sum / count);
 }
 
+// What everybody has in common may be their parameters or the mean: less the combination of the
+// model's derivatives that comes closest from 420 to 680 nm.
+VectorXd withoutWhatSkinExplains(const VectorXd& relative) {
+  const SkinModel& model = test::li2024();
+  SpectrumJacobian derivatives;
+  const Spectrum typical = model.reflectance(model.profile().prior.mean, derivatives);
+  const Eigen::MatrixXd logarithmic = typical.inverse().matrix().asDiagonal() *
+                                      derivatives.matrix() *
+                                      model.profile().prior.mean.matrix().asDiagonal();
+  const auto visible = logarithmic.middleRows(60, 131);
+  const VectorXd explained = solvePositive(Eigen::MatrixXd(visible.transpose() * visible),
+                                           visible.transpose() * relative.segment(60, 131));
+  return relative - logarithmic * explained;
+}
+
 Eigen::MatrixXd covarianceOf(const Discrepancy& discrepancy) {
   return discrepancy.components * discrepancy.components.transpose() +
          discrepancy.rest * discrepancy.rest.transpose();
@@ -100,9 +116,10 @@ class DiscrepancyLearningTest : public QObject {
 
   void meanAndCovarianceThatMadeTheSpectraAreFound() {
     EXPECT_OK(validate(learned_, "the discrepancy", ""));
-    const double missed =
-        rmsOf([&](int i) { return learned_.mean[i] - trueMean(wavelengthNm(i)); });
-    EXPECT_AT_MOST(missed, 0.012);
+    VectorXd missed(int{kSampleCount});
+    for (int i = 0; i < kSampleCount; ++i)
+      missed[i] = learned_.mean[i] - trueMean(wavelengthNm(i));
+    EXPECT_AT_MOST(rmsOf(withoutWhatSkinExplains(missed)), 0.006);
     // The first component is the wave that varies, up to its sign, and as strong.
     VectorXd truth(int{kSampleCount});
     for (int i = 0; i < kSampleCount; ++i)
