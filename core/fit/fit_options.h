@@ -8,6 +8,7 @@
 
 #include "core/base/plane.h"
 #include "core/rig/rig.h"
+#include "core/skin/profile/discrepancy.h"
 #include "core/skin/profile/free_constants.h"
 #include "core/skin/profile/prior.h"
 
@@ -30,6 +31,12 @@ struct FitOptions {
   // Constants of the profile that are found for each pixel, too (refined only, without shading;
   // core/fit/free/free_solver.h).
   FreeConstants free;
+  // Whether the profile's discrepancy (core/skin/profile/discrepancy.h) is estimated, too: refined
+  // only, and not beside free constants. Unless given: where the profile knows one and noise is
+  // assumed. The exact setting takes the channels for the model's own.
+  std::optional<bool> discrepancy;
+  // Which of the profile's discrepancies holds for the channels.
+  SurfaceLight surface = SurfaceLight::included;
   bool deviations = false;  // posterior standard deviations per value (refined only)
   bool residuals = false;   // measured minus modelled per channel
   PixelFormat mapFormat = PixelFormat::float32;

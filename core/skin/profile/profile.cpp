@@ -65,6 +65,12 @@ Status validateParameters(const Profile& profile, const std::string& place) {
                         "uniform, quadratic or cubic"));
   }
   CUTIS_CHECK(validate(profile.prior, place, "prior."));
+  for (const SurfaceLight surface : {SurfaceLight::included, SurfaceLight::removed}) {
+    const Discrepancy* discrepancy = profile.discrepancies.of(surface);
+    if (discrepancy == nullptr) continue;
+    CUTIS_CHECK(
+        validate(*discrepancy, place, "discrepancy.surface_" + surfaceLightName(surface) + "."));
+  }
   double entries = 1.0;
   for (const ParameterAxis& axis : profile.axes)
     entries *= axis.samples;

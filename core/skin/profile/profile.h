@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/skin/profile/chromophore_table.h"
+#include "core/skin/profile/discrepancy.h"
 #include "core/skin/profile/parameter_axis.h"
 #include "core/skin/profile/prior.h"
 #include "core/skin/profile/spectral_laws.h"
@@ -58,6 +59,8 @@ struct Profile {
 
   ParameterAxes axes = paperAxes();
   Prior prior;
+  // What the model leaves over of measured skin; most profiles do not know.
+  Discrepancies discrepancies;
   // Beyond the five, as rows of their own; no file holds them.
   std::vector<Chromophore> further;
 
@@ -115,7 +118,7 @@ Status requireFive(const Profile& profile, const std::string& what);
 Status validate(const Profile& profile, const std::string& place);
 
 // Identifies everything that changes a reflectance or a table: equal fingerprints, equal results.
-// The prior, the name and the description are not part of it.
+// The prior, the discrepancies, the name and the description are not part of it.
 std::string fingerprint(const Profile& profile);
 
 }  // namespace cutis

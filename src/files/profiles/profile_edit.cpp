@@ -7,6 +7,7 @@
 
 #include "core/base/echoed_text.h"
 #include "core/skin/profile/prior.h"
+#include "src/files/profiles/discrepancy_file.h"
 
 namespace cutis {
 namespace {
@@ -16,6 +17,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kLineLength = 120;
 // One over the last digit that a correlation is known to.
 constexpr double kCorrelationDigits = 1e3;
+constexpr double kDiscrepancyDigits = 1e5;
 
 Json::json_pointer pointerTo(const std::string& field) {
   std::string path = "/" + field;
@@ -52,6 +54,54 @@ Json jsonOf(const Prior& prior) {
   return json;
 }
 
+// What is known of relative reflectance: five digits after the point.
+double rounded(double value) {
+  return std::round(value * kDiscrepancyDigits) / kDiscrepancyDigits;
+}
+
+Json knotsOf(const Eigen::VectorXd& spectrum) {
+  Json knots = Json::array();
+  for (Eigen::Index i = 0; i < spectrum.size(); i += kKnotDistanceNm / kWavelengthStepNm)
+    knots.push_back(rounded(spectrum[i]));
+  return knots;
+}
+
+Json spectraOf(const Eigen::MatrixXd& columns) {
+  Json spectra = Json::array();
+  for (Eigen::Index i = 0; i < columns.cols(); ++i)
+    spectra.push_back(knotsOf(columns.col(i)));
+  return spectra;
+}
+
+Json rowsOf(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json row = Json::array();
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      row.push_back(rounded(matrix(i, j)));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Json jsonOf(const Discrepancy& discrepancy) {
+  return {{"mean", knotsOf(discrepancy.mean.matrix())},
+          {"components", spectraOf(discrepancy.components)},
+          {"slope", rowsOf(discrepancy.slope)},
+          {"covariance", rowsOf(discrepancy.covariance)},
+          {"rest", spectraOf(discrepancy.rest)},
+          {"prior", jsonOf(discrepancy.prior)}};
+}
+
+Json jsonOf(const Discrepancies& discrepancies) {
+  Json json = Json::object();
+  for (const SurfaceLight surface : {SurfaceLight::included, SurfaceLight::removed}) {
+    const Discrepancy* discrepancy = discrepancies.of(surface);
+    if (discrepancy != nullptr) json["surface_" + surfaceLightName(surface)] = jsonOf(*discrepancy);
+  }
+  return json;
+}
+
 std::string written(const Json& json, std::size_t indent);
 
 // The items of an object or array, each behind `separator`.
@@ -71,8 +121,9 @@ std::string written(const Json& json, std::size_t indent) {
   const std::string open = json.is_object() ? "{" : "[", close = json.is_object() ? "}" : "]";
   const bool nested = std::any_of(json.begin(), json.end(),
                                   [](const Json& inner) { return inner.is_structured(); });
+  const bool areNumbers = json.is_array() && !json.empty() && json.front().is_number();
   const std::string line = open + joined(json, " ", 0) + close;
-  if (!nested && line.size() + indent < kLineLength) return line;
+  if (areNumbers || (!nested && line.size() + indent < kLineLength)) return line;
   const std::string separator = "\n" + std::string(indent + 2, ' ');
   return open + separator + joined(json, separator, indent + 2) + "\n" + std::string(indent, ' ') +
          close;
@@ -95,6 +146,7 @@ std::string editedProfile(std::string_view text, const ProfileEdits& edits) {
   if (!edits.name.empty()) root["name"] = edits.name;
   if (!edits.description.empty()) root["description"] = edits.description;
   if (edits.prior) root["prior"] = jsonOf(*edits.prior);
+  if (!edits.discrepancies.empty()) root["discrepancy"] = jsonOf(edits.discrepancies);
   for (const auto& [field, source] : edits.sources)
     root["sources"][field] = source;
   return written(root, 0) + "\n";

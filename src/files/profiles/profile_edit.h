@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/skin/profile/discrepancy.h"
 #include "core/skin/profile/prior.h"
 
 namespace cutis {
@@ -19,6 +20,7 @@ struct ProfileEdits {
   std::string name;         // empty: as it was
   std::string description;  // empty: as it was
   std::optional<Prior> prior;
+  Discrepancies discrepancies;  // none: as it was
   // Field → where its value is from, for "sources".
   std::vector<std::pair<std::string, std::string>> sources;
 };

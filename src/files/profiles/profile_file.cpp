@@ -10,6 +10,7 @@
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
+#include "src/files/profiles/discrepancy_file.h"
 #include "src/files/profiles/prior_file.h"
 #include "src/files/resources.h"
 #include "src/files/spectral_library.h"
@@ -280,7 +281,7 @@ Result<Profile> parseProfile(std::string_view text, const std::string& place) {
   CUTIS_CHECK(checkVersion(root, "cutis_profile", kNewestProfile));
   CUTIS_CHECK(root.allowOnly({"cutis_profile", "name", "description", "parameters", "absorption",
                               "epidermis", "dermis", "refractive_index", "layer_optics", "prior",
-                              "sources"}));
+                              "discrepancy", "sources"}));
   Profile profile;
   CUTIS_TRY(name, root.text("name"));
   CUTIS_TRY(description, root.text("description", ""));
@@ -296,6 +297,8 @@ Result<Profile> parseProfile(std::string_view text, const std::string& place) {
   CUTIS_TRY(priorObject, root.object("prior"));
   CUTIS_TRY(prior, parsePrior(priorObject));
   profile.prior = prior;
+  CUTIS_TRY(discrepancies, parseDiscrepancies(root));
+  profile.discrepancies = discrepancies;
   CUTIS_CHECK(validate(profile, place));
   return profile;
 }

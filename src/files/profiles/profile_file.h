@@ -24,6 +24,8 @@
 //                                          laws of its own instead of dermis.scattering_ratio
 //   sources                                where the values are from: {"epidermis.thickness_mm":
 //                                          "a text", …}; a field it names must be there
+//   discrepancy                            what the model leaves over of measured skin
+//                                          (src/files/profiles/discrepancy_file.h); not known
 //
 // The prior is that of src/files/profiles/prior_file.h. An unknown field is an error: a misspelt
 // option must not pass as absent.

@@ -7,6 +7,8 @@
 //     "images": [ {"light": "white", "file": "white.exr", "scale": [1, 1, 1]}, … ],
 //     "mask": "mask.png" }
 //
+// "simulated": true says that the skin is a model's own, which leaves nothing over.
+//
 // Pixels are linear, also those of integer images, or have the curve of the colour space that
 // `encoding` names in version 2, which is undone; what photographs say of themselves must agree,
 // unless `encoding` is "raw". A perfect diffuser under the light reads 1 in every channel once

@@ -44,6 +44,7 @@ struct CaptureManifest {
   CaptureEncoding encoding;
   std::vector<CapturePhotograph> photographs;  // one per light, in the order of the rig
   std::filesystem::path mask;                  // may be empty
+  bool isSimulated = false;
 };
 
 // `notice` hears what of the rig's files was left out.

@@ -78,6 +78,7 @@ class CaptureReader {
     CUTIS_CHECK(readPhotographs(capture));
     CUTIS_CHECK(readTheMask());
     capture.measurements.rig = manifest_.rig;
+    capture.measurements.isSimulated = manifest_.isSimulated;
     capture.orientation = first_.orientation;
     capture.encoding = manifest_.encoding.name;
     CUTIS_CHECK(measure(capture.measurements));
