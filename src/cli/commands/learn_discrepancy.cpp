@@ -6,7 +6,6 @@
 
 #include "core/base/number_text.h"
 #include "src/cli/text_table.h"
-#include "src/files/profiles/calibrated_profile.h"
 #include "src/files/rig_file.h"
 
 namespace cutis {

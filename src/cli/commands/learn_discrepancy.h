@@ -8,7 +8,7 @@
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/calibrate/discrepancy_study.h"
-#include "src/files/profiles/calibration_file.h"
+#include "src/files/profiles/calibrated_profile.h"
 
 namespace cutis {
 
