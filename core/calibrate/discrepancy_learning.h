@@ -26,6 +26,9 @@ struct DiscrepancyLearning {
   int components = 6;
   // What the learned prior is drawn towards, by a few people's worth; also where fits begin.
   Prior prior;
+  // Light that the instrument's aperture loses (core/skin/model/measurement_geometry.h): part of
+  // how it measures, and of no one's skin.
+  double edgeLossPerMm = 0.0;
 };
 
 // The fewest people of whom anything is learned.

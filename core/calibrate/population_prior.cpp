@@ -1,9 +1,9 @@
 #include "core/calibrate/population_prior.h"
 
-#include <cmath>
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/calibrate/coordinate_distribution.h"
 #include "core/calibrate/fitted_range.h"
 #include "core/fit/reference/map_estimator.h"
 
@@ -13,25 +13,9 @@ namespace {
 using Eigen::Index;
 
 constexpr int kRounds = 20;
-using Coordinates = Eigen::Matrix<double, kParameterCount, 1>;
-
-// A normal distribution of the coordinates.
-struct Distribution {
-  Coordinates mean;
-  ParameterMatrix covariance;
-};
-
-Coordinates coordinatesOf(const Prior& prior, const ParameterVector& parameters) {
-  Coordinates coordinates;
-  for (int k = 0; k < kParameterCount; ++k) {
-    coordinates[k] = prior.isLog(k) ? std::log(parameters[k]) : parameters[k];
-  }
-  return coordinates;
-}
-
-Distribution distributionOf(const Prior& prior, const std::vector<Estimate>& people) {
+CoordinateDistribution populationOf(const Prior& prior, const std::vector<Estimate>& people) {
   const auto count = static_cast<double>(people.size());
-  Distribution result = {Coordinates::Zero(), ParameterMatrix::Zero()};
+  CoordinateDistribution result = {Coordinates::Zero(), ParameterMatrix::Zero()};
   for (const Estimate& person : people) {
     result.mean += coordinatesOf(prior, person.parameters) / count;
   }
@@ -40,23 +24,6 @@ Distribution distributionOf(const Prior& prior, const std::vector<Estimate>& peo
     result.covariance += (away * away.transpose() + person.covariance) / count;
   }
   return result;
-}
-
-Prior priorFrom(const Distribution& distribution, const Prior& like) {
-  Prior prior = like;
-  for (int k = 0; k < kParameterCount; ++k) {
-    prior.mean[k] = prior.isLog(k) ? std::exp(distribution.mean[k]) : distribution.mean[k];
-    prior.deviation[k] = std::sqrt(distribution.covariance(k, k));
-  }
-  for (int i = 0; i < kParameterCount; ++i) {
-    for (int j = 0; j < i; ++j) {
-      const double correlation =
-          distribution.covariance(i, j) / (prior.deviation[i] * prior.deviation[j]);
-      prior.correlation(i, j) = correlation;
-      prior.correlation(j, i) = correlation;
-    }
-  }
-  return prior;
 }
 
 }  // namespace
@@ -82,7 +49,7 @@ Result<Prior> populationPrior(const SkinModel& model, const MeasurementGeometry&
           people[i] = estimator.solve(channels, from);
           return {};
         }));
-    prior = priorFrom(distributionOf(prior, people), start);
+    prior = priorFrom(populationOf(prior, people), start);
     CUTIS_CHECK(validate(prior, "the prior of the spectra"));
   }
   return prior;

@@ -9,8 +9,9 @@ namespace {
 
 constexpr double kNodeTolerance = 1e-5;
 constexpr double kExactNodeTolerance = 1e-6;
-// The same where there are fewer channels than parameters: the prior then decides along a curved
-// valley, which the fit can only follow if it is not all too narrow. Channels are met to a small
+// The same where there are fewer channels than values to find, coefficients of a discrepancy
+// included: what is known beforehand then decides along a curved valley, which the fit can only
+// follow if it is not all too narrow. Channels are met to a small
 // part of this.
 constexpr double kExactNoiseOfFewChannels = 1e-5;
 // A channel within this share of a mixture of the others adds nothing of its own.
@@ -41,7 +42,8 @@ int independentChannelCount(const Rig& rig) {
 NoiseModel assumedNoise(const Rig& rig, const FitOptions& options) {
   NoiseModel noise = options.noise.value_or(rig.noise);
   const bool priorDecides =
-      asksForExact(rig, options) && seeingChannelCount(rig) < unknownCount(options);
+      asksForExact(rig, options) &&
+      (options.discrepancy.value_or(false) || seeingChannelCount(rig) < unknownCount(options));
   noise.read = std::max(noise.read, priorDecides ? kExactNoiseOfFewChannels : kExactNoise);
   return noise;
 }

@@ -47,7 +47,7 @@ Status loadFirstPixels(const Load& load, const BlockGrid& grid, std::vector<floa
 
 // Values per block, and whether there are any.
 struct BlockValues {
-  PixelBuffer<float> parameters;  // a block in place of a pixel
+  PixelBuffer<float> found;  // a block in place of a pixel
   std::vector<char> known;
 };
 
@@ -84,13 +84,12 @@ Result<BlockValues> solveBlocks(const Measurements& measurements, const PixelSol
   std::vector<std::uint16_t> iterations(blocks.size());
   solver.solve(channels.rows(), found.rows(), {solvedStates.data(), iterations.data()});
   BlockValues values;
-  values.parameters = PixelBuffer<float>(kParameterCount, grid.count());
+  values.found = PixelBuffer<float>(solver.valueCount(), grid.count());
   values.known.resize(grid.count(), 0);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     values.known[blocks[i]] = 1;
-    for (std::size_t k = 0; k < kParameterCount; ++k) {
-      values.parameters[k][blocks[i]] = found[k][i];
-    }
+    for (std::size_t k = 0; k < found.rowCount(); ++k)
+      values.found[k][blocks[i]] = found[k][i];
   }
   return values;
 }
@@ -105,11 +104,11 @@ Status fillTile(const Measurements& measurements, const BlockGrid& grid, const B
       states[i] = storedState(PixelState::masked);
     }
   }
-  for (std::size_t k = 0; k < kParameterCount; ++k) {
-    for (std::size_t i = 0; i < plane.size(); ++i) {
-      plane[i] = isToSolve(states[i]) ? values.parameters[k][grid.blockOf(i)] : 0.0f;
-    }
-    CUTIS_CHECK(maps.values[k].store(grid.rect, plane));
+  std::vector<Plane> planes = maps.planes();
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    for (std::size_t i = 0; i < plane.size(); ++i)
+      plane[i] = isToSolve(states[i]) ? values.found[k][grid.blockOf(i)] : 0.0f;
+    CUTIS_CHECK(planes[k].store(grid.rect, plane));
   }
   return maps.state.store(grid.rect, states);
 }

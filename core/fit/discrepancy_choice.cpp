@@ -11,4 +11,10 @@ const Discrepancy* chosenDiscrepancy(const Profile& profile, const Rig& rig,
   return profile.discrepancies.of(options.surface);
 }
 
+Prior assumedPrior(const Profile& profile, const Rig& rig, const FitOptions& options) {
+  if (options.prior) return *options.prior;
+  const Discrepancy* discrepancy = chosenDiscrepancy(profile, rig, options);
+  return discrepancy == nullptr ? profile.prior : discrepancy->prior;
+}
+
 }  // namespace cutis

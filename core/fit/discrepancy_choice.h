@@ -14,4 +14,8 @@ namespace cutis {
 const Discrepancy* chosenDiscrepancy(const Profile& profile, const Rig& rig,
                                      const FitOptions& options);
 
+// What a refined fit assumes of the parameters beforehand: the options' prior, or that of the
+// chosen discrepancy, or the profile's.
+Prior assumedPrior(const Profile& profile, const Rig& rig, const FitOptions& options);
+
 }  // namespace cutis

@@ -4,8 +4,8 @@
 // profile that are free.
 //
 // Channels: a row per channel of the rig, finite and not negative. Values: a row per parameter and
-// then, in the order of SkinConstant, one per free constant, in the values' units; as many pixels
-// as there are of channels.
+// then, in the order of SkinConstant, one per free constant, in the values' units, and one per
+// coefficient of a discrepancy; as many pixels as there are of channels.
 
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,8 @@ class PixelSolver {
   virtual void solve(PixelRows<const float> channels, PixelRows<float> values,
                      const SolveReport& report) const = 0;
 
-  // Posterior standard deviations at the values, laid out like them. Precondition: hasDeviations().
+  // Posterior standard deviations at the values, laid out like them, of all but coefficients, whose
+  // rows are left as they are. Precondition: hasDeviations().
   virtual void deviations(PixelRows<const float> channels, PixelRows<const float> values,
                           PixelRows<float> deviations) const = 0;
   virtual bool hasDeviations() const = 0;
@@ -57,9 +58,11 @@ class PixelSolver {
   const SpectralNodes& nodes() const { return channels_->nodes(); }
   int channelCount() const { return channels_->rowCount(); }
   FreeConstants free() const { return channels_->free(); }
+  // How many coefficients of a discrepancy are found for each pixel.
+  int coefficientCount() const { return channels_->coefficientCount(); }
   // Rows of the values.
   std::size_t valueCount() const {
-    return static_cast<std::size_t>(kParameterCount + free().count());
+    return static_cast<std::size_t>(kParameterCount + free().count() + coefficientCount());
   }
 
  protected:

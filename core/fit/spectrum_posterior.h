@@ -8,11 +8,12 @@
 // count as free. The rest of the discrepancy, which no channel tells, adds to the spectrum's
 // variance. Double precision, about 0.1 ms a pixel. Thread-safe: const after construction.
 
-#include <memory>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "core/fit/coordinate_prior.h"
 #include "core/fit/fit_options.h"
 #include "core/rig/rig.h"
 #include "core/skin/model/skin_model.h"
@@ -23,6 +24,12 @@ class SpectrumPosterior {
  public:
   // As the fit was asked for. The model outlives it.
   SpectrumPosterior(const SkinModel& model, const Rig& rig, const FitOptions& options);
+
+  // How many values a pixel has.
+  std::size_t valueCount() const {
+    return kParameterCount +
+           static_cast<std::size_t>(discrepancy_ == nullptr ? 0 : discrepancy_->count());
+  }
 
   // values: the five parameters, then the coefficients of the discrepancy where the fit estimates
   // one. channels: as measured, finite.
@@ -40,14 +47,14 @@ class SpectrumPosterior {
   struct Linearisation;
   Linearisation linearise(std::span<const double> values) const;
   Eigen::MatrixXd priorCovariance() const;
+  Eigen::MatrixXd covarianceAt(const Linearisation& at, std::span<const double> channels) const;
 
   const SkinModel& model_;
-  SpectrumRows rows_;  // of the channels that see something
-  std::vector<int> seeing_;
+  SpectrumRows rows_;
+  std::vector<Eigen::Index> seeing_;  // the channels that see something
   NoiseModel noise_;
-  Prior prior_;
-  std::array<std::optional<double>, kParameterCount> fixed_;
-  const Discrepancy* discrepancy_ = nullptr;
+  CoordinatePrior coordinates_;
+  const Discrepancy* discrepancy_;  // null: none
 };
 
 }  // namespace cutis

@@ -10,6 +10,13 @@ SymmetricEigen symmetricEigen(const Eigen::MatrixXd& symmetric) {
   return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 
+Eigen::MatrixXd rootOfPositive(const Eigen::MatrixXd& a) {
+  const Eigen::LDLT<Eigen::MatrixXd> factors(a);
+  const Eigen::MatrixXd lower = factors.matrixL();
+  const Eigen::VectorXd roots = factors.vectorD().cwiseMax(0.0).cwiseSqrt();
+  return factors.transpositionsP().transpose() * (lower * roots.asDiagonal());
+}
+
 Eigen::MatrixXd solvePositive(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return a.ldlt().solve(b);
 }

@@ -17,6 +17,10 @@ struct SymmetricEigen {
 };
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd& symmetric);
 
+// A factor L of a = L Lᵀ, not triangular; a: positive semi-definite, where what rounding makes
+// negative counts as 0.
+Eigen::MatrixXd rootOfPositive(const Eigen::MatrixXd& a);
+
 // x of a x = b by LDLᵀ; a: positive semi-definite.
 Eigen::MatrixXd solvePositive(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 

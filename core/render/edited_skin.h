@@ -21,8 +21,8 @@ struct EditedSkin {
   EditStack edits;       // masks have the size of the maps
 
   const ParameterAxes& axes() const { return model->profile().axes; }
-  // Which constants each pixel brings along: a response model of this skin has the same.
-  FreeConstants free() const { return maps.free(); }
+  // What each pixel brings along: a response model of this skin asks for the same.
+  PerPixel perPixel() const { return maps.perPixel(); }
   int width() const { return maps.width(); }
   int height() const { return maps.height(); }
 };

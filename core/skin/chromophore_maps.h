@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/plane.h"
-#include "core/skin/profile/free_constants.h"
 #include "core/skin/profile/parameter.h"
+#include "core/skin/profile/per_pixel.h"
 
 namespace cutis {
 
@@ -20,6 +20,10 @@ struct ChromophoreMaps {
   Plane state;
   // Indexed by SkinConstant, 0 where there is no estimate; empty: the profile's own holds.
   std::array<Plane, kConstantCount> constants;
+  // Coefficients of what the profile's model leaves over, 0 where there is no estimate; and of
+  // which of its discrepancies. Empty: of none. Halves: they tell little beyond three digits.
+  std::vector<Plane> coefficients;
+  SurfaceLight surface = SurfaceLight::included;
 
   ChromophoreMaps() = default;
   ChromophoreMaps(int width, int height, PixelFormat format = PixelFormat::float32,
@@ -30,11 +34,20 @@ struct ChromophoreMaps {
   FreeConstants free() const {
     return {!constants[kOxygenation].empty(), !constants[kThickness].empty()};
   }
-  // The planes of the parameters, then of the constants that are free: handles.
+  // What pixels bring along beside the parameters.
+  PerPixel perPixel() const;
+  void addCoefficients(SurfaceLight of, int count, const std::shared_ptr<TileStore>& store);
+  // The planes of the parameters, then of the constants that are free, then of the coefficients:
+  // handles.
   std::vector<Plane> planes() const;
 
   int width() const { return state.width(); }
   int height() const { return state.height(); }
 };
+
+// Whether the profile knows the discrepancy whose coefficients the maps hold, with as many of them;
+// `place` names the maps in the error.
+Status checkCoefficients(const ChromophoreMaps& maps, const Profile& profile,
+                         const std::string& place);
 
 }  // namespace cutis

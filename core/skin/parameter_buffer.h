@@ -14,7 +14,8 @@ namespace cutis {
 
 struct ParameterBuffer {
   // A row per parameter, then one per constant that is found for each pixel, in the order of
-  // SkinConstant; edits leave these alone. Pixels row by row of the picture.
+  // SkinConstant, then one per coefficient of the discrepancy; edits leave these alone. Pixels row
+  // by row of the picture.
   PixelBuffer<float> values;
   // Whether the pixel has an estimate.
   std::vector<bool> present;

@@ -7,13 +7,15 @@
 
 #include "core/maths/partial-inl.h"
 #include "core/skin/layers/node_reflectance-inl.h"
+#include "core/skin/profile/discrepancy_size.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <std::size_t kRows>
+// kCoefficients: whether there are any.
+template <std::size_t kRows, bool kCoefficients>
 HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
   const hn::ScalableTag<float> d;
   using V = hn::Vec<decltype(d)>;
@@ -25,6 +27,13 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
       return LoadFirst(d, parameters.data + k * parameters.stride + i, live);
     };
     const AmountVectors<V> skin = AmountsOf(load);
+    V coefficients[kMaximumCoefficients];
+    if constexpr (kCoefficients) {
+      for (std::size_t c = 0; c < arguments.coefficients.rowCount; ++c) {
+        coefficients[c] =
+            LoadFirst(d, arguments.coefficients.data + c * arguments.coefficients.stride + i, live);
+      }
+    }
     V sums[kRows];
     for (V& sum : sums)
       sum = hn::Zero(d);
@@ -36,7 +45,15 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
           NodeReflectanceOf<false>(d, arguments.layers, arguments.nodes[n], epidermal, dermal)
               .reflectance;
       for (std::size_t k = 0; k < kRows; ++k) {
-        sums[k] = hn::MulAdd(reflectance, hn::Set(d, weights[k]), sums[k]);
+        V weight = hn::Set(d, weights[k]);
+        if constexpr (kCoefficients) {
+          const float* more = weights + k;
+          for (std::size_t c = 0; c < arguments.coefficients.rowCount; ++c) {
+            more += arguments.coefficientStride;
+            weight = hn::MulAdd(coefficients[c], hn::Set(d, *more), weight);
+          }
+        }
+        sums[k] = hn::MulAdd(reflectance, weight, sums[k]);
       }
       weights += arguments.weightStride;
     }
@@ -46,17 +63,23 @@ HWY_NOINLINE void Respond(const ResponseArguments& arguments) {
   }
 }
 
-void RespondAny(const ResponseArguments& arguments) {
+template <bool kCoefficients>
+void RespondRows(const ResponseArguments& arguments) {
   switch (arguments.rowCount) {
     case 1:
-      return Respond<1>(arguments);
+      return Respond<1, kCoefficients>(arguments);
     case 2:
-      return Respond<2>(arguments);
+      return Respond<2, kCoefficients>(arguments);
     case 3:
-      return Respond<3>(arguments);
+      return Respond<3, kCoefficients>(arguments);
     default:
-      return Respond<4>(arguments);
+      return Respond<4, kCoefficients>(arguments);
   }
+}
+
+void RespondAny(const ResponseArguments& arguments) {
+  arguments.coefficients.rowCount > 0 ? RespondRows<true>(arguments)
+                                      : RespondRows<false>(arguments);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -17,8 +17,13 @@ struct ResponseArguments {
   std::size_t nodeCount;
   LayerConstants<float> layers;
   PixelRows<const float> parameters;  // their `count` pixels
-  const float* weights;               // [node][weightStride], the first rowCount of each are used
+  // The coefficients of the discrepancy, a row each; none: there is none.
+  PixelRows<const float> coefficients;
+  // [node][weightStride], the first rowCount of each are used; behind each node's, at a distance of
+  // coefficientStride, what a coefficient adds to them.
+  const float* weights;
   std::size_t weightStride;
+  std::size_t coefficientStride;
   std::size_t rowCount;  // at most kMaximumResponseRows
   float* const* out;     // [row][pixel]: the rows of a picture lie where they like
 };

@@ -136,14 +136,20 @@ void Engine::addNetwork(std::shared_ptr<const ChromophoreNetwork> network) {
 
 Result<std::shared_ptr<const ResponseModel>> Engine::response(
     const std::shared_ptr<const SkinModel>& model, const SpectrumRows& rows,
-    const FreeConstants& free, const JobContext& context) {
+    const PerPixel& perPixel, const JobContext& context) {
   ContentHash hash;
   hash.add(fingerprint(model->profile()));
   hash.add(std::span<const double>(rows.data(), static_cast<std::size_t>(rows.size())));
-  hash.add(static_cast<double>(free.oxygenation)).add(static_cast<double>(free.thickness));
+  hash.add(static_cast<double>(perPixel.free.oxygenation));
+  hash.add(static_cast<double>(perPixel.free.thickness));
+  if (const Discrepancy* discrepancy = discrepancyOf(model->profile(), perPixel)) {
+    hash.add(std::span(discrepancy->mean.data(), static_cast<std::size_t>(kSampleCount)));
+    hash.add(std::span(discrepancy->components.data(),
+                       static_cast<std::size_t>(discrepancy->components.size())));
+  }
   const std::string key = hash.digest();
   if (auto known = find(responses_, key)) return known;
-  CUTIS_TRY(made, ResponseModel::create(*model, rows, free, context));
+  CUTIS_TRY(made, ResponseModel::create(*model, rows, perPixel, context));
   return keep(responses_, key, std::move(made));
 }
 

@@ -61,11 +61,10 @@ class Engine {
   void addNetwork(std::shared_ptr<const ChromophoreNetwork> network);
 
   // The response of a model's skin to rows of a response matrix (src/app/picture_request.h), for
-  // maps that bring along the constants that are `free`: then it takes some seconds where it is
-  // new.
+  // maps that bring this along: with constants it takes some seconds where it is new.
   Result<std::shared_ptr<const ResponseModel>> response(
       const std::shared_ptr<const SkinModel>& model, const SpectrumRows& rows,
-      const FreeConstants& free, const JobContext& context);
+      const PerPixel& perPixel, const JobContext& context);
 
   // The search in the table of skin for a rig.
   Result<std::shared_ptr<const TableSearch>> tableSearch(const SkinModel& model, const Rig& rig,

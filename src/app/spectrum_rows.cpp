@@ -1,10 +1,13 @@
 #include "src/app/spectrum_rows.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
+#include "core/render/skin_spectra.h"
+#include "core/skin/parameter_buffer.h"
 
 namespace cutis {
 namespace {
@@ -14,8 +17,7 @@ constexpr int kDigits = 9;
 constexpr std::size_t kRowsPerPiece = 64;
 constexpr std::size_t kPiecesPerWrite = 64;
 
-void appendRow(const InstrumentModel& model, const ParameterVector& set, std::string& text) {
-  const Spectrum spectrum = model.reflectance(set);
+void appendReflectances(const Spectrum& spectrum, std::string& text) {
   for (int i = 0; i < kSampleCount; ++i) {
     if (i > 0) text += ',';
     text += formatNumber(spectrum[i], kDigits);
@@ -32,29 +34,116 @@ std::string headerRow() {
   return text + "\n";
 }
 
-}  // namespace
-
-Status writeSpectra(const InstrumentModel& model, const std::vector<ParameterVector>& sets,
-                    const std::function<Status(std::string_view text)>& write,
-                    const JobContext& context) {
-  CUTIS_CHECK(write(headerRow()));
+// append(row, text) adds a row's text, on any thread.
+Status writeRows(std::size_t count, const std::function<void(std::size_t, std::string&)>& append,
+                 const TextSink& write, const JobContext& context) {
   constexpr std::size_t rowsPerWrite = kRowsPerPiece * kPiecesPerWrite;
   std::vector<std::string> pieces;
-  for (std::size_t begin = 0; begin < sets.size(); begin += rowsPerWrite) {
-    const std::size_t end = std::min(begin + rowsPerWrite, sets.size());
+  for (std::size_t begin = 0; begin < count; begin += rowsPerWrite) {
+    const std::size_t end = std::min(begin + rowsPerWrite, count);
     pieces.assign((end - begin + kRowsPerPiece - 1) / kRowsPerPiece, std::string());
-    const auto total = static_cast<double>(sets.size());
+    const auto total = static_cast<double>(count);
     const JobContext part = context.child(static_cast<double>(begin) / total,
                                           static_cast<double>(end) / total, "spectra");
     CUTIS_CHECK(parallelFor(pieces.size(), part, [&](std::size_t i) -> Status {
       const std::size_t first = begin + i * kRowsPerPiece;
       const std::size_t last = std::min(first + kRowsPerPiece, end);
       for (std::size_t r = first; r < last; ++r)
-        appendRow(model, sets[r], pieces[i]);
+        append(r, pieces[i]);
       return {};
     }));
     for (const std::string& piece : pieces)
       CUTIS_CHECK(write(piece));
+  }
+  return {};
+}
+
+// The spectra of some pixels of maps.
+class MapSpectra {
+ public:
+  MapSpectra(const SkinSpectra& spectra, const ChromophoreMaps& maps, SkinConstants usual)
+      : spectra_(spectra), maps_(maps), usual_(usual) {}
+
+  // Writes the pixels of a rectangle that have an estimate.
+  Status write(const Rect& rect, const TextSink& sink, const JobContext& context) const {
+    CUTIS_TRY(buffer, loadParameters(maps_, rect));
+    std::vector<std::size_t> present;
+    for (std::size_t i = 0; i < buffer.count(); ++i) {
+      if (buffer.present[i]) present.push_back(i);
+    }
+    const auto width = static_cast<std::size_t>(rect.width());
+    const auto append = [&](std::size_t row, std::string& text) {
+      const std::size_t i = present[row];
+      text += std::to_string(rect.x0 + static_cast<int>(i % width)) + ',' +
+              std::to_string(rect.y0 + static_cast<int>(i / width)) + ',';
+      appendReflectances(spectrumOf(buffer, i), text);
+    };
+    return writeRows(present.size(), append, sink, context);
+  }
+
+ private:
+  Spectrum spectrumOf(const ParameterBuffer& buffer, std::size_t pixel) const {
+    const PixelRows<const float> values = buffer.batch();
+    ParameterVector parameters;
+    for (int k = 0; k < kParameterCount; ++k)
+      parameters[k] = double{values.at(static_cast<std::size_t>(k), pixel)};
+    std::size_t row = kParameterCount;
+    SkinConstants constants = usual_;
+    for (const SkinConstant constant : kSkinConstants) {
+      if (spectra_.free().has(constant)) constants[constant] = double{values.at(row++, pixel)};
+    }
+    std::vector<double> coefficients;
+    while (row < values.rowCount)
+      coefficients.push_back(double{values.at(row++, pixel)});
+    return spectra_.reflectance(parameters, constants, coefficients);
+  }
+
+  const SkinSpectra& spectra_;
+  const ChromophoreMaps& maps_;
+  SkinConstants usual_;
+};
+
+Status checkPlace(const ChromophoreMaps& maps, const PixelPlace& place, const std::string& name) {
+  const std::string where = std::to_string(place.x) + "," + std::to_string(place.y);
+  if (!maps.state.bounds().contains(place.x, place.y)) {
+    return inputError(name, "pixel " + where + " lies outside of the maps, which are " +
+                                std::to_string(maps.width()) + " × " +
+                                std::to_string(maps.height()) + " pixels; pixels count from 0,0");
+  }
+  std::vector<float> state(1);
+  CUTIS_CHECK(maps.state.load({place.x, place.y, place.x + 1, place.y + 1}, state));
+  if (hasEstimate(pixelState(state[0]))) return {};
+  return inputError(name, "pixel " + where + " has no estimate; choose one that was solved");
+}
+
+}  // namespace
+
+Status writeSpectra(const InstrumentModel& model, const std::vector<ParameterVector>& sets,
+                    const TextSink& write, const JobContext& context) {
+  CUTIS_CHECK(write(headerRow()));
+  const auto append = [&](std::size_t row, std::string& text) {
+    appendReflectances(model.reflectance(sets[row]), text);
+  };
+  return writeRows(sets.size(), append, write, context);
+}
+
+Status writeMapSpectra(const std::shared_ptr<const SkinModel>& model, const ChromophoreMaps& maps,
+                       const std::vector<PixelPlace>& places, const std::string& name,
+                       const TextSink& write, const JobContext& context) {
+  for (const PixelPlace& place : places)
+    CUTIS_CHECK(checkPlace(maps, place, name));
+  CUTIS_TRY(spectra, SkinSpectra::make(model, maps.perPixel(), context.child(0.0, 0.0)));
+  const MapSpectra rows(spectra, maps, constantsOf(model->profile()));
+  CUTIS_CHECK(write("x,y," + headerRow()));
+  for (const PixelPlace& place : places) {
+    CUTIS_CHECK(rows.write({place.x, place.y, place.x + 1, place.y + 1}, write,
+                           {context.stop, {}, context.notice}));
+  }
+  if (!places.empty()) return {};
+  for (int y = 0; y < maps.height(); ++y) {
+    const double height = maps.height();
+    CUTIS_CHECK(rows.write({0, y, maps.width(), y + 1}, write,
+                           context.child(y / height, (y + 1) / height, "spectra")));
   }
   return {};
 }

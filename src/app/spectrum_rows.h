@@ -1,21 +1,38 @@
 #pragma once
 
-// Spectra of several people as rows of comma-separated text, written while they are computed.
+// Spectra as rows of comma-separated text, written while they are computed: of parameter sets, or
+// of the pixels of maps. Reflectances have nine significant digits, columns are the wavelengths
+// 300, 302, …, 1000.
 
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
+#include "core/skin/chromophore_maps.h"
 #include "core/skin/model/instrument_model.h"
 
 namespace cutis {
 
-// The header row 300,302,…,1000 and a row of reflectances per set, with nine significant digits, in
-// parts and in order. Errors: those of `write`. Cancelled if asked to stop.
+using TextSink = std::function<Status(std::string_view text)>;
+
+// The header row and a row per set, in parts and in order. Errors: those of `write`. Cancelled if
+// asked to stop.
 Status writeSpectra(const InstrumentModel& model, const std::vector<ParameterVector>& sets,
-                    const std::function<Status(std::string_view text)>& write,
-                    const JobContext& context);
+                    const TextSink& write, const JobContext& context);
+
+struct PixelPlace {
+  int x = 0, y = 0;
+};
+
+// The header row with x,y in front, and a row for each pixel with an estimate, in reading order; or
+// for those at `places`, in their order. What the maps hold beside the parameters counts. Errors:
+// those of `write` and of reading tiles, and a place outside or without an estimate; `name` stands
+// in front of these. Cancelled if asked to stop.
+Status writeMapSpectra(const std::shared_ptr<const SkinModel>& model, const ChromophoreMaps& maps,
+                       const std::vector<PixelPlace>& places, const std::string& name,
+                       const TextSink& write, const JobContext& context);
 
 }  // namespace cutis

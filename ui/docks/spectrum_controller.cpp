@@ -72,7 +72,8 @@ void SpectrumController::plotSpectra(int x, int y) {
   if (!spectra) return plot_.clear();
   const bool edited = (spectra->originalParameters != spectra->editedParameters).any();
   plot_.setCurves(toVector(spectra->original),
-                  edited ? toVector(spectra->edited) : QVector<double>());
+                  edited ? toVector(spectra->edited) : QVector<double>(),
+                  spectra->deviation ? toVector(*spectra->deviation) : QVector<double>());
   plot_.setHeading(tr("Pixel %1, %2").arg(x).arg(y));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <QKeyEvent>
 #include <QLocale>
@@ -18,6 +19,8 @@ namespace {
 constexpr double kHeadroom = 1.03;
 constexpr int kKeySamples = 5;
 constexpr double kPointRadius = 3;
+constexpr double kBandDeviations = 2;
+constexpr std::uint8_t kBandAlpha = 60;
 constexpr double kCrosshairRadius = 4.5;
 constexpr int kReflectanceSteps = 5;
 constexpr int kWavelengthSteps = 7;
@@ -64,9 +67,11 @@ SpectrumPlot::SpectrumPlot(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
 }
 
-void SpectrumPlot::setCurves(const QVector<double>& original, const QVector<double>& edited) {
+void SpectrumPlot::setCurves(const QVector<double>& original, const QVector<double>& edited,
+                             const QVector<double>& deviation) {
   original_ = onTheGrid(original);
   edited_ = onTheGrid(edited);
+  deviation_ = original_.isEmpty() ? QVector<double>() : onTheGrid(deviation);
   fitAxis();
 }
 
@@ -153,6 +158,7 @@ Panel SpectrumPlot::panel() const {
     const double nm = wavelengthNm(*crosshair_);
     panel.cursor = Tick{nm, tr("%1 nm").arg(nm).toStdString(), {}, false};
   }
+  addBand(panel);
   addCurve(panel, original_, tr("Original"), firstCurveStroke(plotTheme()));
   addCurve(panel, edited_, tr("Edited"), secondCurveStroke(plotTheme()));
   addMeasured(panel);
@@ -171,6 +177,19 @@ void SpectrumPlot::addCurve(Panel& panel, const QVector<double>& values, const Q
   point.y = values[*crosshair_];
   point.marker = {stroke.color, kCrosshairRadius};
   panel.points.push_back(point);
+}
+
+// Where the original lies with 95 % probability.
+void SpectrumPlot::addBand(Panel& panel) const {
+  if (deviation_.isEmpty()) return;
+  Ribbon band;
+  band.x = gridNm();
+  for (int i = 0; i < original_.size(); ++i) {
+    band.low.push_back(std::max(original_[i] - kBandDeviations * deviation_[i], 0.0));
+    band.high.push_back(original_[i] + kBandDeviations * deviation_[i]);
+  }
+  band.color = firstCurveStroke(plotTheme()).color.faded(kBandAlpha);
+  panel.ribbons = {band};
 }
 
 void SpectrumPlot::addMeasured(Panel& panel) const {

@@ -34,7 +34,10 @@ class SpectrumPlot : public QWidget {
 
   // On the grid of core/spectra/grid.h, 351 values each; an empty `edited` draws the original
   // alone. A curve of any other length is taken as empty.
-  void setCurves(const QVector<double>& original, const QVector<double>& edited);
+  // `deviation`: standard deviations of the original, of which two are drawn on either side; empty:
+  // none are known.
+  void setCurves(const QVector<double>& original, const QVector<double>& edited,
+                 const QVector<double>& deviation = {});
   void setMeasured(const QVector<MeasuredChannel>& channels);
   // What the curves belong to: "Pixel 812, 440".
   void setHeading(const QString& heading);
@@ -64,6 +67,7 @@ class SpectrumPlot : public QWidget {
   Panel emptyPanel() const;
   void addCurve(Panel& panel, const QVector<double>& values, const QString& name,
                 const Stroke& stroke) const;
+  void addBand(Panel& panel) const;
   void addMeasured(Panel& panel) const;
   QString legendText(const QString& name, const QVector<double>& curve) const;
   QRectF outside() const;
@@ -74,6 +78,7 @@ class SpectrumPlot : public QWidget {
 
   QVector<double> original_;
   QVector<double> edited_;
+  QVector<double> deviation_;
   QVector<MeasuredChannel> measured_;
   QString heading_;
   double maximum_ = 1;

@@ -34,6 +34,7 @@ constexpr std::size_t kBatch = 64;
 FitOptions startOptions(const Rig& rig, const FitOptions& options) {
   FitOptions start = options;
   start.free = {};
+  start.discrepancy = false;
   if (asksForExact(rig, options)) start.noise = NoiseModel();
   return start;
 }

@@ -26,9 +26,10 @@ struct ExactPass::Ends {
 };
 
 ExactPass::ExactPass(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
-                     const NoiseModel& noise, const FitOptions& options)
-    : exact_(model, nodes, prior, noise, options),
-      cautious_(model, nodes, prior, {kCautiousNoise, 0.0}, options) {
+                     const NoiseModel& noise, const FitOptions& options,
+                     const ChannelDiscrepancy& discrepancy)
+    : exact_(model, nodes, prior, noise, options, discrepancy),
+      cautious_(model, nodes, prior, {kCautiousNoise, 0.0}, options, discrepancy) {
   exact_.problem().tolerance = kExactPassTolerance;
   exact_.problem().maximumRounds = kExactPassRounds;
 }

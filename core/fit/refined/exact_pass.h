@@ -19,7 +19,8 @@ class ExactPass {
  public:
   // noise: what is assumed, next to none.
   ExactPass(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
-            const NoiseModel& noise, const FitOptions& options);
+            const NoiseModel& noise, const FitOptions& options,
+            const ChannelDiscrepancy& discrepancy = {});
 
   // Coordinates in and out. Adds to rounds.
   void finish(PixelRows<const float> channels, PixelRows<float> coordinates, std::uint16_t* rounds,

@@ -12,8 +12,9 @@ constexpr double kFastPassTolerance = 0.03;
 }  // namespace
 
 FastPass::FastPass(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
-                   const NoiseModel& noise, const FitOptions& options)
-    : data_(model, nodes, prior, noise, options) {
+                   const NoiseModel& noise, const FitOptions& options,
+                   const ChannelDiscrepancy& discrepancy)
+    : data_(model, nodes, prior, noise, options, discrepancy) {
   data_.problem().tolerance = static_cast<float>(kFastPassTolerance);
   const auto solveFrom = [this](const StartPolynomial& start, PixelRows<const float> channels,
                                 PixelRows<float> coordinates) {
@@ -23,7 +24,8 @@ FastPass::FastPass(const SkinModel& model, const SpectralNodes& nodes, const Pri
     solve({channels, coordinates, converged.data(), rounds.data()});
   };
   start_ = trainStartPolynomial(
-      {model, nodes, prior, noise, options.fixed, options.shading.value_or(0.0)}, solveFrom);
+      {model, nodes, prior, noise, options.fixed, options.shading.value_or(0.0), discrepancy},
+      solveFrom);
   data_.problem().start = &start_;
 }
 

@@ -11,7 +11,8 @@ class FastPass {
  public:
   // Trains the start, about 60 ms.
   FastPass(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
-           const NoiseModel& noise, const FitOptions& options);
+           const NoiseModel& noise, const FitOptions& options,
+           const ChannelDiscrepancy& discrepancy = {});
   FastPass(const FastPass&) = delete;
   FastPass& operator=(const FastPass&) = delete;
 

@@ -13,6 +13,7 @@
 #include "core/fit/refined/linearise-inl.h"
 #include "core/fit/refined/normal_equations-inl.h"
 #include "core/fit/refined/refined_kernel.h"
+#include "core/fit/refined/whitening-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cutis {
@@ -22,8 +23,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 // A vector of pixels between two rounds.
 template <class V>
 struct Lanes {
+  V measured[kMaximumFitChannels];
+  // With a discrepancy: channels as whitened, each of variance 1.
   V channels[kMaximumFitChannels];
   V precision[kMaximumFitChannels];
+  Whitening<V> whitening;
   V base[kParameterCount];  // the best point so far
   V step[kParameterCount];  // from there
   V share;                  // of the step that is tried next

@@ -7,6 +7,7 @@
 
 #include "core/fit/refined/linearise-inl.h"
 #include "core/fit/refined/posterior_spread-inl.h"
+#include "core/fit/refined/whitening-inl.h"
 #include "core/maths/partial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -47,6 +48,15 @@ void Posterior(const RefinedProblem<float>& problem, const PixelRows<const float
     }
     V modelled[kMaximumFitChannels][kLinearColumns];
     ModelWithDerivatives(d, problem, PointOf(d, problem, point), modelled);
+    if (problem.hasDiscrepancy) {
+      V raw[kMaximumFitChannels];
+      for (std::size_t k = 0; k < problem.channelCount; ++k)
+        raw[k] = channels[k];
+      Whitening<V> whitening;
+      WhitenMeasured(d, problem, raw, precision, channels, whitening);
+      AddExpectedDiscrepancy(d, problem, raw, point, modelled);
+      whitening.Apply(d, problem, modelled);
+    }
     NormalEquations<V> normal;
     BuildNormalEquations(d, problem, channels, precision, point, modelled, normal);
     for (int k = 0; k < kParameterCount; ++k) {

@@ -60,7 +60,12 @@ struct RefinedProblem {
   T priorDeviation[kParameterCount];  // of each coordinate by itself
   T rootOffset[kParameterCount];      // c where channels follow √(C + c); 0 where they follow C
   T shadingPrecision;                 // 1 / s² of a factor on all channels, 1 expected; 0: none
-  T tolerance;                        // in units of one standard deviation²
+  // The profile's discrepancy (core/fit/refined/channel_discrepancy.h), if the fit has one.
+  bool hasDiscrepancy;
+  T channelOffset[kMaximumFitChannels];
+  T channelSlope[kMaximumFitChannels][kParameterCount];
+  T channelCovariance[kMaximumFitChannels * (kMaximumFitChannels + 1) / 2];  // lower triangle
+  T tolerance;  // in units of one standard deviation²
   int maximumRounds;
   const StartPolynomial* start;  // null: begin at the coordinates that come in
 };

@@ -14,9 +14,12 @@ constexpr int kProblemRounds = 100;
 template <typename T>
 RefinedProblemData<T>::RefinedProblemData(const SkinModel& model, const SpectralNodes& nodes,
                                           const Prior& prior, const NoiseModel& noise,
-                                          const FitOptions& options)
+                                          const FitOptions& options,
+                                          const ChannelDiscrepancy& discrepancy)
     : model_(model, nodes.samples) {
-  for (Eigen::Index k = 0; k < nodes.weights.rows(); ++k) {
+  const Eigen::Index channels =
+      discrepancy.empty() ? nodes.weights.rows() : discrepancy.offset.size();
+  for (Eigen::Index k = 0; k < channels; ++k) {
     for (Eigen::Index n = 0; n < nodes.weights.cols(); ++n) {
       weights_.push_back(static_cast<T>(nodes.weights(k, n)));
     }
@@ -25,7 +28,7 @@ RefinedProblemData<T>::RefinedProblemData(const SkinModel& model, const Spectral
   problem_.nodeCount = model_.template nodes<T>().size();
   problem_.layers = model_.template layers<T>();
   problem_.weights = weights_.data();
-  problem_.channelCount = static_cast<std::size_t>(nodes.weights.rows());
+  problem_.channelCount = static_cast<std::size_t>(channels);
   problem_.readVariance = static_cast<T>(noise.read * noise.read);
   problem_.proportionalVariance = static_cast<T>(noise.proportional * noise.proportional);
   problem_.veil = static_cast<T>(noise.veil);
@@ -35,6 +38,20 @@ RefinedProblemData<T>::RefinedProblemData(const SkinModel& model, const Spectral
   }
   setCoordinates(model.profile().axes, prior, options);
   setCurvature(model);
+  if (!discrepancy.empty()) setDiscrepancy(discrepancy);
+}
+
+template <typename T>
+void RefinedProblemData<T>::setDiscrepancy(const ChannelDiscrepancy& discrepancy) {
+  problem_.hasDiscrepancy = true;
+  std::size_t next = 0;
+  for (Eigen::Index k = 0; k < discrepancy.offset.size(); ++k) {
+    problem_.channelOffset[k] = static_cast<T>(discrepancy.offset[k]);
+    for (int i = 0; i < kParameterCount; ++i)
+      problem_.channelSlope[k][i] = static_cast<T>(discrepancy.slope(k, i));
+    for (Eigen::Index j = 0; j <= k; ++j)
+      problem_.channelCovariance[next++] = static_cast<T>(discrepancy.covariance(k, j));
+  }
 }
 
 template <typename T>

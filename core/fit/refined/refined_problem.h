@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/fit/fit_options.h"
+#include "core/fit/refined/channel_discrepancy.h"
 #include "core/fit/refined/refined_kernel.h"
 #include "core/rig/rig.h"
 #include "core/skin/model/compiled_model.h"
@@ -20,8 +21,10 @@ namespace cutis {
 template <typename T>
 class RefinedProblemData {
  public:
+  // nodes: weights of the channels, and behind them those of other rows, which do not count.
   RefinedProblemData(const SkinModel& model, const SpectralNodes& nodes, const Prior& prior,
-                     const NoiseModel& noise, const FitOptions& options);
+                     const NoiseModel& noise, const FitOptions& options,
+                     const ChannelDiscrepancy& discrepancy = {});
   RefinedProblemData(const RefinedProblemData&) = delete;
   RefinedProblemData& operator=(const RefinedProblemData&) = delete;
 
@@ -32,6 +35,7 @@ class RefinedProblemData {
   void setCoordinates(const ParameterAxes& axes, const Prior& prior, const FitOptions& options);
   // Where a chromophore outweighs the absorption of the tissue without it, in the green.
   void setCurvature(const SkinModel& model);
+  void setDiscrepancy(const ChannelDiscrepancy& discrepancy);
 
   CompiledModel model_;
   std::vector<T> weights_;

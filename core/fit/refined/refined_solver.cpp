@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/fit/assumed_noise.h"
+#include "core/fit/discrepancy_choice.h"
+#include "core/fit/refined/coefficient_kernel.h"
 #include "core/fit/refined/exact_pass.h"
 #include "core/fit/refined/fast_pass.h"
 #include "core/fit/refined/posterior_kernel.h"
@@ -21,20 +23,44 @@ std::optional<ShadingModel> shadingOf(const Rig& rig, const FitOptions& options)
   return ShadingModel{assumedNoise(rig, options), *options.shading};
 }
 
+ChannelDiscrepancy discrepancyOf(const SkinModel& model, const Prior& prior, const Rig& rig,
+                                 const FitOptions& options) {
+  const Discrepancy* discrepancy = chosenDiscrepancy(model.profile(), rig, options);
+  if (discrepancy == nullptr) return {};
+  return channelDiscrepancy(*discrepancy, model, responseRows(rig),
+                            coordinatePrior(prior, model.profile().axes, options.fixed));
+}
+
+CoefficientProblem coefficientProblem(const ChannelDiscrepancy& discrepancy) {
+  CoefficientProblem line;
+  line.count = static_cast<std::size_t>(discrepancy.count());
+  for (int c = 0; c < discrepancy.count(); ++c) {
+    line.offset[c] = static_cast<float>(discrepancy.coefficientOffset[c]);
+    for (int i = 0; i < kParameterCount; ++i)
+      line.slope[c][i] = static_cast<float>(discrepancy.coefficientSlope(c, i));
+    for (Eigen::Index k = 0; k < discrepancy.gain.cols(); ++k)
+      line.gain[c][k] = static_cast<float>(discrepancy.gain(c, k));
+  }
+  return line;
+}
+
 class RefinedSolver final : public PixelSolver {
  public:
   RefinedSolver(std::shared_ptr<const SkinModel> model, const Rig& rig, const FitOptions& options)
       : PixelSolver(std::make_shared<ResponseModel>(
                         *model, responseRows(rig),
-                        NodeOptions{nodeTolerance(rig, options), int{kMaximumFitNodes}}),
+                        NodeOptions{nodeTolerance(rig, options), int{kMaximumFitNodes}},
+                        chosenDiscrepancy(model->profile(), rig, options)),
                     shadingOf(rig, options)),
         model_(std::move(model)),
-        prior_(options.prior.value_or(model_->profile().prior)),
+        prior_(assumedPrior(model_->profile(), rig, options)),
         noise_(assumedNoise(rig, options)),
-        fast_(*model_, channelModel().nodes(), prior_, noise_, options) {
+        discrepancy_(discrepancyOf(*model_, prior_, rig, options)),
+        coefficients_(coefficientProblem(discrepancy_)),
+        fast_(*model_, channelModel().nodes(), prior_, noise_, options, discrepancy_) {
     if (asksForExact(rig, options) && seeingChannelCount(rig) >= unknownCount(options)) {
       exact_ = std::make_unique<const ExactPass>(*model_, channelModel().nodes(), prior_, noise_,
-                                                 options);
+                                                 options, discrepancy_);
     }
   }
 
@@ -46,6 +72,11 @@ class RefinedSolver final : public PixelSolver {
     if (exact_) exact_->finish(channels, values, report.iterations, converged.data());
     for (std::size_t i = 0; i < channels.count; ++i) {
       report.states[i] = converged[i] != 0 ? PixelState::solved : PixelState::noConvergence;
+    }
+    if (coefficients_.count > 0) {
+      const PixelRows<float> found = {values.row(kParameterCount), coefficients_.count,
+                                      values.count, values.stride};
+      runCoefficientKernel(fast_.problem(), coefficients_, channels, values, found);
     }
     toParameters(values);
   }
@@ -86,6 +117,8 @@ class RefinedSolver final : public PixelSolver {
   std::shared_ptr<const SkinModel> model_;
   Prior prior_;
   NoiseModel noise_;
+  ChannelDiscrepancy discrepancy_;  // empty: none
+  CoefficientProblem coefficients_;
   FastPass fast_;
   std::unique_ptr<const ExactPass> exact_;
 };

@@ -38,7 +38,7 @@ class Refiner {
     const D d;
     LoadChannels();
     if (problem_.start != nullptr) {
-      StartPoint(d, *problem_.start, problem_.channelCount, lanes_.channels, lanes_.base);
+      StartPoint(d, *problem_.start, problem_.channelCount, lanes_.measured, lanes_.base);
     } else {
       for (int i = 0; i < kParameterCount; ++i) {
         lanes_.base[i] = Gather(pixels_.coordinates.data +
@@ -128,9 +128,23 @@ class Refiner {
         const T value = static_cast<T>(row[pixel_[lane]]);
         values[lane] = value < kBlinding ? value : kBlinding;
       }
-      lanes_.channels[k] = hn::Load(d, values);
-      lanes_.precision[k] = ChannelPrecision(d, problem_, lanes_.channels[k]);
+      lanes_.measured[k] = hn::Load(d, values);
+      lanes_.channels[k] = lanes_.measured[k];
+      lanes_.precision[k] = ChannelPrecision(d, problem_, lanes_.measured[k]);
     }
+    if (problem_.hasDiscrepancy) {
+      WhitenMeasured(d, problem_, lanes_.measured, lanes_.precision, lanes_.channels,
+                     lanes_.whitening);
+    }
+  }
+
+  // Modelled channels as the residuals want them.
+  template <std::size_t kColumns>
+  HWY_INLINE void ExpectDiscrepancy(const V* coordinates, V (*modelled)[kColumns]) const {
+    if (!problem_.hasDiscrepancy) return;
+    const D d;
+    AddExpectedDiscrepancy(d, problem_, lanes_.measured, coordinates, modelled);
+    lanes_.whitening.Apply(d, problem_, modelled);
   }
 
   // Coordinates that stay: fixed ones, and those at a bound whose way down leads out of the box.
@@ -179,6 +193,7 @@ class Refiner {
     V trial[kParameterCount];
     PointAlong(lanes_.base, lanes_.step, lanes_.share, trial);
     ModelWithDerivatives(d, problem_, PointOf(d, problem_, trial), lanes_.modelled);
+    ExpectDiscrepancy(trial, lanes_.modelled);
     NormalEquations<V> normal;
     BuildNormalEquations(d, problem_, lanes_.channels, lanes_.precision, trial, lanes_.modelled,
                          normal);
@@ -243,6 +258,7 @@ class Refiner {
     PointAlong(lanes_.base, lanes_.step, lanes_.share, trial);
     V modelled[kMaximumFitChannels][1];
     ModelOnly(d, problem_, PointOf(d, problem_, trial), modelled);
+    ExpectDiscrepancy(trial, modelled);
     V cost = hn::Zero(d);
     V shading = hn::Set(d, T(1));
     if (problem_.shadingPrecision > T(0)) {

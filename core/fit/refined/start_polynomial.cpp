@@ -49,6 +49,34 @@ std::vector<ParameterVector> drawPixels(const StartScene& scene) {
   return pixels;
 }
 
+MatrixXd coordinatesOf(const std::vector<ParameterVector>& pixels, const CoordinatePrior& prior) {
+  MatrixXd coordinates(static_cast<Index>(pixels.size()), kParameterCount);
+  for (Index i = 0; i < coordinates.rows(); ++i) {
+    for (int k = 0; k < kParameterCount; ++k) {
+      coordinates(i, k) = prior.coordinate(k, pixels[static_cast<std::size_t>(i)][k]);
+    }
+  }
+  return coordinates;
+}
+
+// What the model leaves over of each person, drawn.
+void addDiscrepancy(const StartScene& scene, const std::vector<ParameterVector>& pixels,
+                    MatrixXd& channels) {
+  const ChannelDiscrepancy& seen = scene.discrepancy;
+  const MatrixXd coordinates =
+      coordinatesOf(pixels, coordinatePrior(scene.prior, scene.model.profile().axes, scene.fixed));
+  const MatrixXd spread = seen.perCoefficient * rootOfPositive(seen.coefficientCovariance);
+  Random random(kSeed, 3);
+  for (Index i = 0; i < kPixels; ++i) {
+    VectorXd drawn(spread.cols());
+    for (double& value : drawn)
+      value = random.normal();
+    const VectorXd relative =
+        seen.offset + seen.slope * coordinates.row(i).transpose() + spread * drawn;
+    channels.row(i).array() *= 1.0 + relative.transpose().array();
+  }
+}
+
 // Logarithms of noisy channels, one pixel a row.
 MatrixXd simulateLogChannels(const StartScene& scene, const std::vector<ParameterVector>& pixels) {
   const CompiledModel compiled(scene.model, scene.nodes.samples);
@@ -57,7 +85,10 @@ MatrixXd simulateLogChannels(const StartScene& scene, const std::vector<Paramete
   reflectanceBatch<double>(
       compiled, parameters.rows(),
       packedRows(reflectance.data(), scene.nodes.samples.size(), pixels.size()));
-  MatrixXd channels = reflectance * scene.nodes.weights.transpose();
+  const Index channelCount =
+      scene.discrepancy.empty() ? scene.nodes.weights.rows() : scene.discrepancy.offset.size();
+  MatrixXd channels = reflectance * scene.nodes.weights.topRows(channelCount).transpose();
+  if (!scene.discrepancy.empty()) addDiscrepancy(scene, pixels, channels);
   if (scene.shadingDeviation > 0.0) {
     Random shades(kSeed, 2);
     for (Index i = 0; i < kPixels; ++i) {
@@ -160,16 +191,6 @@ void fitCoefficients(const MatrixXd& logChannels, const MatrixXd& targets,
       }
     }
   }
-}
-
-MatrixXd coordinatesOf(const std::vector<ParameterVector>& pixels, const CoordinatePrior& prior) {
-  MatrixXd coordinates(static_cast<Index>(pixels.size()), kParameterCount);
-  for (Index i = 0; i < coordinates.rows(); ++i) {
-    for (int k = 0; k < kParameterCount; ++k) {
-      coordinates(i, k) = prior.coordinate(k, pixels[static_cast<std::size_t>(i)][k]);
-    }
-  }
-  return coordinates;
 }
 
 MatrixXd estimatesFrom(const StartPolynomial& start, const MatrixXd& logChannels,

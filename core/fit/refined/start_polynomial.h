@@ -14,6 +14,7 @@
 #include <optional>
 
 #include "core/base/pixel_rows.h"
+#include "core/fit/refined/channel_discrepancy.h"
 #include "core/fit/refined/refined_kernel.h"
 #include "core/rig/rig.h"
 #include "core/skin/model/skin_model.h"
@@ -34,6 +35,7 @@ struct StartScene {
   const NoiseModel& noise;
   const std::array<std::optional<double>, kParameterCount>& fixed;  // drawn at their value
   double shadingDeviation = 0.0;  // of a factor on all channels of a pixel; 0: there is none
+  const ChannelDiscrepancy& discrepancy;  // drawn with the people; may be empty
 };
 
 // Deterministic on one instruction set; about 60 ms.

@@ -3,6 +3,11 @@
 #include <Eigen/Cholesky>
 
 namespace cutis {
+namespace {
+
+constexpr double kLeastFactor = 0.05;
+
+}  // namespace
 
 std::string surfaceLightName(SurfaceLight surface) {
   return surface == SurfaceLight::included ? "included" : "removed";
@@ -36,8 +41,12 @@ Status validate(const Discrepancy& discrepancy, const std::string& place,
       !discrepancy.covariance.allFinite() || !discrepancy.rest.allFinite()) {
     return inputError(place, prefix + "components must be finite, and all numbers beside them");
   }
-  if (!(discrepancy.mean > -0.9).all() || !discrepancy.mean.isFinite().all()) {
-    return inputError(place, prefix + "mean must be finite and above -0.9");
+  const Spectrum least = 1.0 + discrepancy.mean -
+                         kMostCoefficientNorm * discrepancy.components.rowwise().norm().array();
+  if (!(least >= kLeastFactor).all() || !discrepancy.mean.isFinite().all()) {
+    return inputError(place, prefix +
+                                 "mean and components must be such that 1 + mean stays 0.05 above "
+                                 "four times their joint size at every wavelength");
   }
   const bool proper = discrepancy.covariance == discrepancy.covariance.transpose() &&
                       discrepancy.covariance.llt().info() == Eigen::Success;

@@ -19,13 +19,11 @@
 #include <Eigen/Core>
 
 #include "core/base/result.h"
+#include "core/skin/profile/discrepancy_size.h"
 #include "core/skin/profile/prior.h"
 #include "core/spectra/grid.h"
 
 namespace cutis {
-
-// More would cost the memory of maps more than they tell.
-inline constexpr int kMaximumCoefficients = 8;
 
 struct Discrepancy {
   Spectrum mean = Spectrum::Zero();
@@ -63,7 +61,8 @@ struct Discrepancies {
 };
 
 // Finite numbers of matching sizes; 1 to kMaximumCoefficients coefficients whose covariance is
-// symmetric and positive definite; a mean above −0.9; a proper prior. `prefix` stands in front of
+// symmetric and positive definite; no reflectance that could fall below a twentieth of the model's
+// within kMostCoefficientNorm; a proper prior. `prefix` stands in front of
 // field names.
 Status validate(const Discrepancy& discrepancy, const std::string& place,
                 const std::string& prefix);

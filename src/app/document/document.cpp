@@ -1,7 +1,10 @@
 #include "src/app/document/document.h"
 
+#include <array>
 #include <utility>
+#include <vector>
 
+#include "core/fit/spectrum_posterior.h"
 #include "core/skin/parameter_buffer.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
@@ -119,6 +122,7 @@ Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
   CUTIS_TRY(model, attributes.profileJson.empty()
                        ? engine_.model(kDefaultProfile, path.string())
                        : engine_.modelFromText(attributes.profileJson, path.string()));
+  CUTIS_CHECK(checkCoefficients(file.maps, model->profile(), path.string()));
   Opened opened;
   opened.name = QString::fromStdString(path.filename().string());
   opened.files = {path};
@@ -131,7 +135,7 @@ Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
   opened.choice.shading = !file.shading.empty();
   if (file.maps.free().count() == 0) return opened;
   CUTIS_TRY(spectra,
-            SkinSpectra::make(model, file.maps.free(), context.child(0.5, 1.0, "spectra")));
+            SkinSpectra::make(model, file.maps.perPixel(), context.child(0.5, 1.0, "spectra")));
   opened.scene.spectra = std::make_shared<const SkinSpectra>(std::move(spectra));
   return opened;
 }
@@ -333,15 +337,43 @@ std::optional<Document::PixelSpectra> Document::spectraAt(int x, int y) const {
     if (free.has(constant))
       spectra.constants[constant] = double{original.value().values[row++].front()};
   }
+  std::vector<double> coefficients;
+  while (row < original.value().values.rowCount())
+    coefficients.push_back(double{original.value().values[row++].front()});
+  // Without constants of the pixels' own it is made at once.
+  const auto made =
+      scene_->spectra
+          ? Result<SkinSpectra>(*scene_->spectra)
+          : SkinSpectra::make(scene_->model, {{}, scene_->maps.perPixel().discrepancy}, {});
+  if (!made) return std::nullopt;
   const auto reflectance = [&](const ParameterVector& parameters) {
-    return scene_->spectra ? scene_->spectra->reflectance(parameters, spectra.constants)
-                           : scene_->model->reflectance(parameters);
+    return made.value().reflectance(parameters, spectra.constants, coefficients);
   };
   spectra.originalParameters = onlyPixelOf(original.value());
   spectra.original = reflectance(spectra.originalParameters);
   spectra.editedParameters = onlyPixelOf(edited.value());
   spectra.edited = reflectance(spectra.editedParameters);
+  std::vector<double> values(spectra.originalParameters.begin(), spectra.originalParameters.end());
+  values.insert(values.end(), coefficients.begin(), coefficients.end());
+  spectra.deviation = deviationAt(x, y, values);
   return spectra;
+}
+
+std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const double> values) const {
+  const bool isKnown = scene_->source != nullptr && choice_.method == FitMethod::refined &&
+                       !choice_.shading && scene_->maps.free().count() == 0;
+  if (!isKnown) return std::nullopt;
+  const Measurements& measurements = scene_->source->measurements;
+  std::vector<double> channels;
+  for (std::size_t k = 0; k < measurements.channels.size(); ++k) {
+    std::array<float, 1> value;
+    if (!measurements.loadChannel(k, {x, y, x + 1, y + 1}, value)) return std::nullopt;
+    channels.push_back(double{value[0]});
+  }
+  const SpectrumPosterior posterior(*scene_->model, measurements.rig, fitOptions(choice_));
+  // While a fit with another profile runs, the maps are still those of the last one.
+  if (values.size() != posterior.valueCount()) return std::nullopt;
+  return posterior.deviation(channels, values);
 }
 
 }  // namespace cutis

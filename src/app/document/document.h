@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <QObject>
@@ -94,13 +95,16 @@ class Document : public QObject {
   const UndoHistory& history() const { return history_; }
 
   // The spectra of a pixel, original and edited, computed exactly, with the constants that were
-  // found for it (core/render/skin_spectra.h); nothing where there is no estimate. About 0.1 ms.
+  // found for it (core/render/skin_spectra.h); nothing where there is no estimate. About 0.3 ms.
   struct PixelSpectra {
     ParameterVector originalParameters;
     ParameterVector editedParameters;
     SkinConstants constants;  // of the pixel where they are free, else of the profile
     Spectrum original;
     Spectrum edited;
+    // Standard deviation of the original spectrum given the photographs; none for maps without
+    // them, for methods that know none and for photographs with shading.
+    std::optional<Spectrum> deviation;
   };
   std::optional<PixelSpectra> spectraAt(int x, int y) const;
   // Of them the edited parameters alone, which need no model.
@@ -125,6 +129,8 @@ class Document : public QObject {
   void noticed(const QString& sentence);
 
  private:
+  std::optional<Spectrum> deviationAt(int x, int y, std::span<const double> values) const;
+
   // What was read, on its way to being shown.
   struct Opened {
     Scene scene;

@@ -36,7 +36,7 @@ Result<std::shared_ptr<const ResponseModel>> modelOf(ViewKind view, const Scene&
       return std::shared_ptr<const ResponseModel>();
   }
   CUTIS_TRY(wanted, pictureRows(request, {"light", "observer"}));
-  return engine.response(scene.model, wanted.rows, scene.free(), context);
+  return engine.response(scene.model, wanted.rows, scene.perPixel(), context);
 }
 
 Result<PictureBuffer> renderBand(const Scene& scene, const ResponseModel* model, ViewKind view,

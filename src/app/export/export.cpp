@@ -28,7 +28,7 @@ class Exporter {
     const ImageHeader* image = what.source->image ? &*what.source->image : nullptr;
     CUTIS_TRY(encoding, encodingFor(target_, image, what.source->colors.followed.space, context_));
     CUTIS_TRY(daylight, pictureRows(PictureRequest(), {}));
-    CUTIS_TRY(albedo, engine_.response(what.skin.model, daylight.rows, what.skin.free(),
+    CUTIS_TRY(albedo, engine_.response(what.skin.model, daylight.rows, what.skin.perPixel(),
                                        context_.child(0.0, kReadyToWrite, "preparing")));
     CUTIS_TRY(content,
               editedSource(*what.source, what.skin, *albedo, {encoding.colorSpace, what.pure},
@@ -39,7 +39,7 @@ class Exporter {
   Status operator()(const SkinPicture& what) const {
     CUTIS_CHECK(checkPictureTarget(target_));
     CUTIS_TRY(encoding, encodingFor(target_, nullptr, {}, context_));
-    CUTIS_TRY(response, engine_.response(what.skin.model, what.picture.rows, what.skin.free(),
+    CUTIS_TRY(response, engine_.response(what.skin.model, what.picture.rows, what.skin.perPixel(),
                                          context_.child(0.0, kReadyToWrite, "preparing")));
     CUTIS_TRY(linear, renderPicture(what.skin, *response, store_,
                                     context_.child(kReadyToWrite, kComputed, "rendering")));

@@ -97,6 +97,7 @@ Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
   }
   fitted.seconds.prepare = lap.seconds();
   fitted.planes = FitPlanes(fitted.source->measurements, options.fit, store);
+  fitted.planes.maps.addCoefficients(options.fit.surface, solver->coefficientCount(), store);
   CUTIS_TRY(statistics, fill(fitted, *solver, context, observer));
   fitted.statistics = statistics;
   CUTIS_CHECK(analyse(options.fit, *solver, exposure, context, fitted));

@@ -27,6 +27,7 @@ Result<OpenedMaps> openMaps(const std::string& path, const std::string& profile,
                             const Session& session, const JobContext& context) {
   CUTIS_TRY(file, readMaps(path, PixelFormat::float32, session.store, context));
   CUTIS_TRY(model, modelOf(file.attributes, path, profile, session.engine));
+  CUTIS_CHECK(checkCoefficients(file.maps, model->profile(), path));
   return OpenedMaps{std::move(file), model};
 }
 

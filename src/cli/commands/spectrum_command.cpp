@@ -1,11 +1,16 @@
 // spectrum: parameters to reflectance spectra.
 
 #include <fstream>
+#include <functional>
+#include <limits>
 
+#include "core/base/echoed_text.h"
 #include "src/app/spectrum_rows.h"
 #include "src/cli/command.h"
+#include "src/cli/commands/maps_input.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/measurement_options.h"
+#include "src/cli/options/option_values.h"
 #include "src/cli/output_check.h"
 #include "src/cli/standard_output.h"
 #include "src/files/io/atomic_write.h"
@@ -19,8 +24,10 @@ namespace {
 struct SpectrumCommand {
   std::string parameters;
   std::string csv;
+  std::string maps;
+  std::vector<std::string> places;
   std::string output;
-  std::string profile = kDefaultProfile;
+  std::string profile;
   MeasurementOptions measurement;
 };
 
@@ -38,30 +45,67 @@ Status writeToStandardOutput(std::string_view text) {
   return printText(text, "it cannot be written to; use -o");
 }
 
-Status runSpectrumCommand(const SpectrumCommand& command, Session& session) {
-  if (command.parameters.empty() == command.csv.empty()) {
-    return usageError("spectrum", "give either --params or --csv");
-  }
-  CUTIS_TRY(setting, parseMeasurement(command.measurement));
-  if (!command.output.empty()) {
-    CUTIS_CHECK(checkTextOutput(command.output, {command.csv, command.profile}));
-  }
-  CUTIS_TRY(model, session.engine.model(command.profile, "--profile"));
-  CUTIS_TRY(sets, setsOf(command, model->profile().axes));
-  const InstrumentModel measured(*model, geometryOf(setting, model->profile()));
-  if (command.output.empty()) {
-    return writeSpectra(measured, sets, writeToStandardOutput, session.context);
-  }
-  return writeAtomically(command.output, [&](const std::filesystem::path& temporary) -> Status {
+// Text to where the command writes.
+Status writeOutput(const std::string& output, const std::function<Status(const TextSink&)>& make) {
+  if (output.empty()) return make(writeToStandardOutput);
+  return writeAtomically(output, [&](const std::filesystem::path& temporary) -> Status {
     std::ofstream stream(temporary, std::ios::binary);
     const auto write = [&](std::string_view text) -> Status {
       stream.write(text.data(), static_cast<std::streamsize>(text.size()));
       if (stream) return {};
-      return resourceError(command.output, "the file cannot be written; free some disk space");
+      return resourceError(output, "the file cannot be written; free some disk space");
     };
-    CUTIS_CHECK(writeSpectra(measured, sets, write, session.context));
+    CUTIS_CHECK(make(write));
     stream.close();
     return write({});
+  });
+}
+
+Result<std::vector<PixelPlace>> placesOf(const SpectrumCommand& command) {
+  std::vector<PixelPlace> places;
+  for (const std::string& text : command.places) {
+    const std::vector<std::string> parts = commaSeparated(text);
+    if (parts.size() != 2) {
+      return usageError("--at", "must be two numbers such as 812,440, not " + inQuotes(text));
+    }
+    CUTIS_TRY(x, wholeNumber("--at", parts[0], 0, std::numeric_limits<int>::max() - 1));
+    CUTIS_TRY(y, wholeNumber("--at", parts[1], 0, std::numeric_limits<int>::max() - 1));
+    places.push_back({x, y});
+  }
+  return places;
+}
+
+Status writeSpectraOfMaps(const SpectrumCommand& command, Session& session) {
+  if (!command.measurement.specular.empty() || !command.measurement.share.empty()) {
+    return usageError("--specular", "this does not go with --maps; leave it out");
+  }
+  CUTIS_TRY(places, placesOf(command));
+  CUTIS_TRY(opened,
+            openMaps(command.maps, command.profile, session, session.context.child(0.0, 0.1)));
+  return writeOutput(command.output, [&](const TextSink& write) {
+    return writeMapSpectra(opened.model, opened.file.maps, places, command.maps, write,
+                           session.context.child(0.1, 1.0));
+  });
+}
+
+Status runSpectrumCommand(const SpectrumCommand& command, Session& session) {
+  const int given =
+      int{!command.parameters.empty()} + int{!command.csv.empty()} + int{!command.maps.empty()};
+  if (given != 1) return usageError("spectrum", "give one of --params, --csv and --maps");
+  if (command.maps.empty() && !command.places.empty()) {
+    return usageError("--at", "this goes with --maps; leave it out");
+  }
+  CUTIS_TRY(setting, parseMeasurement(command.measurement));
+  if (!command.output.empty()) {
+    CUTIS_CHECK(checkTextOutput(command.output, {command.csv, command.maps, command.profile}));
+  }
+  if (!command.maps.empty()) return writeSpectraOfMaps(command, session);
+  const std::string profile = command.profile.empty() ? kDefaultProfile : command.profile;
+  CUTIS_TRY(model, session.engine.model(profile, "--profile"));
+  CUTIS_TRY(sets, setsOf(command, model->profile().axes));
+  const InstrumentModel measured(*model, geometryOf(setting, model->profile()));
+  return writeOutput(command.output, [&](const TextSink& write) {
+    return writeSpectra(measured, sets, write, session.context);
   });
 }
 
@@ -78,6 +122,12 @@ void addSpectrumCommand(CLI::App& app, Invocation& invocation) {
             "fractions), carotene (g/L)");
   addOption(command, "--csv", options->csv, "FILE",
             "File with the header " + parameterNames(",") + " and one set per row");
+  addOption(command, "--maps", options->maps, "MAPS",
+            "Maps that fit has written: a row for each pixel with an estimate, with x and y in "
+            "front, and with everything that the maps hold");
+  addOption(command, "--at", options->places, "X,Y",
+            "Of these pixels of the maps alone, counted from 0,0; may be repeated")
+      ->allow_extra_args(false);
   addOption(command, "-o,--output", options->output, "FILE",
             "File to write (default: standard output)");
   addProfileOption(command, options->profile, kDefaultProfile);

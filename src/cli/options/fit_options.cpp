@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "core/fit/shading.h"
 #include "src/app/fit_method.h"
@@ -27,7 +28,8 @@ Status checkMethodOptions(const FitCommandOptions& options, FitMethod method) {
                                       {"--fix", !options.fixed.empty()},
                                       {"--noise", !options.noise.empty()},
                                       {"--shading", options.shading},
-                                      {"--free", !options.free.empty()}}) {
+                                      {"--free", !options.free.empty()},
+                                      {"--discrepancy", options.discrepancy == "on"}}) {
     if (given) return usageError(option, "only the method refined takes this; leave it out");
   }
   return {};
@@ -39,6 +41,23 @@ Status parseExposure(const std::string& text, FitRequest& request) {
   if (request.chooseExposure) return {};
   CUTIS_TRY(exposure, realNumber("--exposure", text, kLeastExposure, kMostExposure));
   request.source.exposure = exposure;
+  return {};
+}
+
+// Where nothing is said of the surface's reflection, the channels are taken as instruments measure
+// skin, with it.
+Status parseDiscrepancy(const FitCommandOptions& options, FitOptions& fit) {
+  if (!options.measurement.specular.empty()) fit.surface = SurfaceLight::removed;
+  if (options.discrepancy.empty()) return {};
+  if (options.discrepancy != "on" && options.discrepancy != "off") {
+    return usageError("--discrepancy", "must be on or off, not " + inQuotes(options.discrepancy));
+  }
+  fit.discrepancy = options.discrepancy == "on";
+  if (*fit.discrepancy && fit.free.count() > 0) {
+    return usageError("--discrepancy",
+                      "this does not go with --free, which explains with constants what would be "
+                      "left over; leave one of them out");
+  }
   return {};
 }
 
@@ -80,6 +99,11 @@ void addFitOptions(CLI::App& command, FitCommandOptions& options) {
             "dermis's blood; that of the epidermis moves along), thickness (of the epidermis), "
             "or both with a comma; takes at least as many independent channels as there are "
             "values to find, 6 or 7 (default: none)");
+  addOption(
+      command, "--discrepancy", options.discrepancy, "on|off",
+      "Whether to estimate what the profile's model leaves over of measured skin, which brings "
+      "spectra nearer to those of real people (default: on where the profile knows it, off "
+      "with --free and with --noise 0,0, which takes photographs for the model's own)");
   addOption(command, "--weights", options.weights, "NAME|FILE",
             "Networks for the method network: a file that train has written, or a built-in "
             "name, such as monitor-5, which takes the paper's five channels (default: those "
@@ -96,6 +120,7 @@ std::string firstGiven(const FitCommandOptions& options) {
                                      {"--noise", options.noise},
                                      {"--prior", options.prior},
                                      {"--free", options.free},
+                                     {"--discrepancy", options.discrepancy},
                                      {"--weights", options.weights},
                                      {"--specular", options.measurement.specular},
                                      {"--specular-share", options.measurement.share}}) {
@@ -138,6 +163,7 @@ Result<FitRequest> parseFitOptions(const FitCommandOptions& options) {
                       "this does not go with --shading, which looks much like it in the "
                       "channels; leave one of them out");
   }
+  CUTIS_CHECK(parseDiscrepancy(options, request.options));
   for (const std::string& text : options.fixed) {
     CUTIS_TRY(fixed, assignment("--fix", text));
     request.fixed.push_back(fixed);

@@ -30,6 +30,7 @@ struct FitCommandOptions {
   std::vector<std::string> fixed;
   bool shading = false;
   std::string free;
+  std::string discrepancy;
   std::string weights;
   MeasurementOptions measurement;
 };

@@ -11,11 +11,14 @@
 //   constants     oxygenation, thickness_mm: those that were found for each pixel instead of the
 //                 profile's; 0 where there is no estimate               (optional)
 //   constants_deviation  the same names: posterior standard deviations  (optional)
+//   discrepancy   d.0, d.1, …: coefficients of what the profile's model leaves over of measured
+//                 skin, as halves; 0 where there is no estimate         (optional)
 //
 // Attributes of the part chromophores: cutis:version, cutis:profile (name), cutis:profile_json (all
 // of the profile, so that the maps can be read anywhere), cutis:rig (name), cutis:method,
-// cutis:exposure, cutis:specular_share (where it is not 0), cutis:sources (JSON list of file and
-// hash), cutis:source_colorspace.
+// cutis:exposure, cutis:specular_share (where it is not 0), cutis:surface (with the part
+// discrepancy: "included" or "removed", which of the profile's), cutis:sources (JSON list of file
+// and hash), cutis:source_colorspace.
 //
 // Channels are found by name. A pixel whose values are not finite, or whose constants lie where no
 // profile can have them, is read as invalid, with a notice; a deviation, residual or shading that

@@ -201,6 +201,10 @@ class MapsReader {
       CUTIS_CHECK(readConstants(*part, maps));
       stored = intersection(stored, storedIn(*part));
     }
+    if (const ImagePart* part = parts_.find(kDiscrepancyPart)) {
+      CUTIS_CHECK(readCoefficients(*part, maps));
+      stored = intersection(stored, storedIn(*part));
+    }
     CUTIS_CHECK(maskOutside(stored, maps, context_));
     CUTIS_TRY(spoiled, invalidateSpoiledPixels(maps, context_));
     if (spoiled > 0) {
@@ -224,6 +228,24 @@ class MapsReader {
     for (const SkinConstant constant : kSkinConstants) {
       if (free.has(constant)) maps.constants[constant] = *next++;
     }
+    return {};
+  }
+
+  Status readCoefficients(const ImagePart& part, ChromophoreMaps& maps) {
+    std::vector<std::string> names;
+    while (part.channelIndex(coefficientName(names.size())) >= 0)
+      names.push_back(coefficientName(names.size()));
+    const auto surface = surfaceLightByName(textAttribute(first_->spec, kSurface));
+    if (names.empty() || names.size() > kMaximumCoefficients || !surface) {
+      return inputError(reader_.place(),
+                        "part 'discrepancy' must have channels 'd.0' to 'd." +
+                            std::to_string(kMaximumCoefficients - 1) +
+                            "' at most, and the attribute cutis:surface must say of which "
+                            "discrepancy they are; fit the image again");
+    }
+    CUTIS_TRY(planes, readNamed(part, names, PixelFormat::half, context_.child(0.6, 0.6)));
+    maps.coefficients = std::move(planes);
+    maps.surface = *surface;
     return {};
   }
 

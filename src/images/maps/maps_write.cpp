@@ -47,6 +47,13 @@ void addAttributes(const MapsAttributes& attributes, OIIO::ImageSpec& spec) {
   spec.attribute(kSourceColorSpace, attributes.sourceColorSpace);
 }
 
+std::vector<std::string> coefficientNames(std::size_t count) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < count; ++c)
+    names.push_back(coefficientName(c));
+  return names;
+}
+
 std::vector<std::string> writtenNames() {
   std::vector<std::string> names;
   for (const Parameter parameter : kParameters)
@@ -55,8 +62,11 @@ std::vector<std::string> writtenNames() {
 }
 
 std::vector<Plane> constantPlanes(const ChromophoreMaps& maps) {
-  const std::vector<Plane> all = maps.planes();
-  return {all.begin() + kParameterCount, all.end()};
+  std::vector<Plane> planes;
+  for (const Plane& plane : maps.constants) {
+    if (!plane.empty()) planes.push_back(plane);
+  }
+  return planes;
 }
 
 std::vector<OutputPart> partsOf(const MapsFile& file) {
@@ -75,6 +85,11 @@ std::vector<OutputPart> partsOf(const MapsFile& file) {
   if (!constants.empty()) add(kConstantsPart, constants, constantPlanes(file.maps));
   if (!file.constantDeviations.empty()) {
     add(kConstantsDeviationPart, constants, file.constantDeviations);
+  }
+  if (!file.maps.coefficients.empty()) {
+    add(kDiscrepancyPart, coefficientNames(file.maps.coefficients.size()), file.maps.coefficients);
+    parts.back().spec.set_format(OIIO::TypeHalf);
+    parts.front().spec.attribute(kSurface, surfaceLightName(file.maps.surface));
   }
   addAttributes(file.attributes, parts.front().spec);
   return parts;

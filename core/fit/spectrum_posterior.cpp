@@ -1,0 +1,126 @@
+#include "core/fit/spectrum_posterior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "core/fit/assumed_noise.h"
+#include "core/fit/coordinate_prior.h"
+#include "core/fit/discrepancy_choice.h"
+#include "core/fit/refined/channel_discrepancy.h"
+#include "core/maths/decompositions.h"
+
+namespace cutis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+}  // namespace
+
+// The spectrum, and its derivatives with respect to the coordinates and coefficients.
+struct SpectrumPosterior::Linearisation {
+  Spectrum reflectance;
+  MatrixXd derivatives;  // [sample][unknown]
+};
+
+SpectrumPosterior::SpectrumPosterior(const SkinModel& model, const Rig& rig,
+                                     const FitOptions& options)
+    : model_(model),
+      rows_(responseRows(rig)),
+      noise_(assumedNoise(rig, options)),
+      coordinates_(coordinatePrior(assumedPrior(model.profile(), rig, options),
+                                   model.profile().axes, options.fixed)),
+      discrepancy_(chosenDiscrepancy(model.profile(), rig, options)) {
+  for (Index k = 0; k < rows_.rows(); ++k) {
+    if ((rows_.row(k) != 0.0).any()) seeing_.push_back(k);
+  }
+}
+
+MatrixXd SpectrumPosterior::priorCovariance() const {
+  const int more = discrepancy_ == nullptr ? 0 : discrepancy_->count();
+  MatrixXd covariance = MatrixXd::Zero(kParameterCount + more, kParameterCount + more);
+  MatrixXd parameters = solvePositive(MatrixXd(coordinates_.precision),
+                                      MatrixXd::Identity(kParameterCount, kParameterCount));
+  for (int i = 0; i < kParameterCount; ++i) {
+    if (!coordinates_.isFixed[static_cast<std::size_t>(i)]) continue;
+    parameters.row(i).setZero();
+    parameters.col(i).setZero();
+  }
+  covariance.topLeftCorner(kParameterCount, kParameterCount) = parameters;
+  if (more == 0) return covariance;
+  const MatrixXd slope = coefficientLine(*discrepancy_, coordinates_).slope;
+  covariance.bottomLeftCorner(more, kParameterCount) = slope * parameters;
+  covariance.topRightCorner(kParameterCount, more) = parameters * slope.transpose();
+  covariance.bottomRightCorner(more, more) =
+      discrepancy_->covariance + slope * parameters * slope.transpose();
+  return covariance;
+}
+
+SpectrumPosterior::Linearisation SpectrumPosterior::linearise(
+    std::span<const double> values) const {
+  ParameterVector parameters;
+  std::copy_n(values.begin(), kParameterCount, parameters.begin());
+  SpectrumJacobian slopes;
+  Linearisation at;
+  const Spectrum modelled = model_.reflectance(parameters, slopes);
+  const int more = discrepancy_ == nullptr ? 0 : discrepancy_->count();
+  Spectrum factor = Spectrum::Ones();
+  if (more > 0) {
+    factor = discrepancy_->factor(
+        Eigen::Map<const VectorXd>(values.data() + kParameterCount, Index{more}));
+  }
+  at.reflectance = modelled * factor;
+  at.derivatives.resize(int{kSampleCount}, kParameterCount + more);
+  for (int i = 0; i < kParameterCount; ++i) {
+    const double perCoordinate =
+        coordinates_.isLog[static_cast<std::size_t>(i)] ? parameters[i] : 1.0;
+    at.derivatives.col(i) = (slopes.col(i) * factor * perCoordinate).matrix();
+  }
+  for (int c = 0; c < more; ++c) {
+    at.derivatives.col(kParameterCount + c) =
+        (modelled * discrepancy_->components.col(c).array()).matrix();
+  }
+  return at;
+}
+
+MatrixXd SpectrumPosterior::covarianceAt(const Linearisation& at,
+                                         std::span<const double> channels) const {
+  const MatrixXd prior = priorCovariance();
+  MatrixXd seen(static_cast<Index>(seeing_.size()), at.derivatives.cols());
+  VectorXd noise(seen.rows());
+  for (Index k = 0; k < seen.rows(); ++k) {
+    const Index row = seeing_[static_cast<std::size_t>(k)];
+    seen.row(k) = rows_.row(row).matrix() * at.derivatives;
+    noise[k] = noise_.variance(channels[static_cast<std::size_t>(row)]);
+  }
+  MatrixXd system = seen * prior * seen.transpose();
+  system.diagonal() += noise;
+  const MatrixXd gained = seen * prior;
+  const MatrixXd covariance = prior - gained.transpose() * solvePositive(system, gained);
+  return 0.5 * (covariance + covariance.transpose());
+}
+
+MatrixXd SpectrumPosterior::covariance(std::span<const double> channels,
+                                       std::span<const double> values) const {
+  return covarianceAt(linearise(values), channels);
+}
+
+Spectrum SpectrumPosterior::deviation(std::span<const double> channels,
+                                      std::span<const double> values) const {
+  const Linearisation at = linearise(values);
+  const MatrixXd covariance = covarianceAt(at, channels);
+  Spectrum variance =
+      (at.derivatives * covariance).cwiseProduct(at.derivatives).rowwise().sum().array();
+  if (discrepancy_ != nullptr && discrepancy_->rest.cols() > 0) {
+    variance += at.reflectance.square() * discrepancy_->rest.rowwise().squaredNorm().array();
+  }
+  return variance.max(0.0).sqrt();
+}
+
+Spectrum SpectrumPosterior::reflectance(std::span<const double> values) const {
+  return linearise(values).reflectance;
+}
+
+}  // namespace cutis
