@@ -15,9 +15,9 @@
 namespace cutis {
 namespace {
 
-// Below, spectrometers disagree, and nothing is judged.
-constexpr double kLearnedFromNm = 320.0;
-constexpr int kLearnedStepNm = 10;
+// Where a darker skin's ultraviolet is all but the surface's reflection, what is left after taking
+// that off is error, and may be negative.
+constexpr double kLeastBelowSurface = 0.003;
 constexpr std::uint64_t kHalfStream = 11, kDrawnStream = 12, kNoiseStream = 13;
 
 // [person]
@@ -55,22 +55,23 @@ WavelengthRange reachOf(const MeasuredSpectra& spectra) {
   return {spectra.wavelengthsNm.front(), spectra.wavelengthsNm.back()};
 }
 
-// What is learned from: the model's reflectance, at wavelengths where all spectra have one.
+// What is learned from, as asSeen() of discrepancy_study.cpp: all that was measured, without the
+// surface's reflection.
 SpectraSet learnedSet(const MeasuredSpectra& spectra, const MeasurementGeometry& geometry) {
   const WavelengthRange reach = reachOf(spectra);
-  Eigen::ArrayXXd skin(kSampleCount, static_cast<Eigen::Index>(spectra.ids.size()));
-  for (std::size_t i = 0; i < spectra.ids.size(); ++i) {
-    skin.col(static_cast<Eigen::Index>(i)) =
-        (onGrid(spectra, i) - geometry.specularShare) / geometry.enteringShare;
-  }
   SpectraSet set;
   for (int sample = 0; sample < kSampleCount; ++sample) {
-    const double nm = wavelengthNm(sample);
-    const bool isCompared =
-        nm >= kLearnedFromNm && reach.contains(nm) && static_cast<int>(nm) % kLearnedStepNm == 0;
-    if (isCompared && skin.row(sample).minCoeff() > 0.0) set.samples.push_back(sample);
+    if (reach.contains(wavelengthNm(sample))) set.samples.push_back(sample);
   }
-  set.measured = skin(set.samples, Eigen::all);
+  set.measured.resize(static_cast<Eigen::Index>(set.samples.size()),
+                      static_cast<Eigen::Index>(spectra.ids.size()));
+  for (std::size_t i = 0; i < spectra.ids.size(); ++i) {
+    Spectrum skin = onGrid(spectra, i);
+    if (geometry.specularShare > 0.0) {
+      skin = ((skin - geometry.specularShare) / geometry.enteringShare).max(kLeastBelowSurface);
+    }
+    set.measured.col(static_cast<Eigen::Index>(i)) = skin(set.samples);
+  }
   return set;
 }
 
@@ -292,7 +293,7 @@ class CaptureRun {
     for (std::size_t model = 0; model < study_.models.size(); ++model) {
       JudgementSum sum;
       for (const Lesson& lesson : lessons) {
-        const JobContext context = next("learning from half of the people");
+        const JobContext context = next("learning from some, judging on others");
         CUTIS_TRY(learned, learnedModel(model, lesson, context.child(0.0, 0.9)));
         CUTIS_CHECK(judgeFit(learned, model, set, lesson, true, context.child(0.9, 1.0), sum));
       }
@@ -301,7 +302,7 @@ class CaptureRun {
     JudgementSum linear, quadratic;
     for (const Lesson& lesson : lessons) {
       if (context_.stopRequested()) return Cancelled{};
-      next("learning from half of the people");
+      next("learning from some, judging on others");
       judgeWiener(set, lesson, WienerFeatures::channels, linear);
       judgeWiener(set, lesson, WienerFeatures::channelsAndSquares, quadratic);
     }

@@ -3,6 +3,7 @@
 
 #include "core/calibrate/capture_study.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QtTest>
@@ -53,19 +54,18 @@ double medianOf(const std::vector<CaptureResult>& results, CaptureEstimator esti
   return std::nan("");
 }
 
+// Estimates without deviations have no coverage.
+bool areSame(double one, double other) {
+  return one == other || (std::isnan(one) && std::isnan(other));
+}
+
 bool areSame(const std::vector<CaptureResult>& one, const std::vector<CaptureResult>& other) {
-  if (one.size() != other.size()) return false;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    if (one[i].figures[0][0].median != other[i].figures[0][0].median ||
-        one[i].figures[0][0].coverage != other[i].figures[0][0].coverage ||
-        one[i].medianErrors != other[i].medianErrors) {
-      // Estimates without deviations have no coverage.
-      const bool bothNone =
-          std::isnan(one[i].figures[0][0].coverage) && std::isnan(other[i].figures[0][0].coverage);
-      if (!bothNone || one[i].medianErrors != other[i].medianErrors) return false;
-    }
-  }
-  return true;
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const CaptureResult& a, const CaptureResult& b) {
+                      return areSame(a.figures[0][0].median, b.figures[0][0].median) &&
+                             areSame(a.figures[0][0].coverage, b.figures[0][0].coverage) &&
+                             a.medianErrors == b.medianErrors;
+                    });
 }
 
 class CaptureStudyTest : public QObject {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
@@ -195,11 +196,11 @@ void addCaptureOptions(CLI::App& command, CaptureOptions& options) {
 
 Status requireCapture(const CaptureOptions& options) {
   if (!options.rig.empty()) return {};
-  for (const auto& [name, value] : {std::pair("--noise", &options.noise),
-                                    {"-o", &options.table},
-                                    {"--halvings", &options.halvings},
-                                    {"--seed", &options.seed}}) {
-    if (!value->empty()) return usageError(name, "this goes with --capture");
+  using Given = std::pair<const char*, const std::string&>;
+  for (const auto& [name, text] :
+       {Given("--noise", options.noise), Given("-o", options.table),
+        Given("--halvings", options.halvings), Given("--seed", options.seed)}) {
+    if (!text.empty()) return usageError(name, "this goes with --capture");
   }
   return {};
 }

@@ -36,6 +36,11 @@ std::string csvCell(double value) {
   return std::isnan(value) ? std::string() : formatNumber(value, kCsvDigits);
 }
 
+std::string learnedWords(const CaptureResult& result, const CaptureNames& names) {
+  if (result.scheme != CaptureScheme::setLeftOut) return {};
+  return " from " + names.sets[result.learnedFrom];
+}
+
 std::string percentCell(double share) {
   return std::isnan(share) ? "-" : percentText(share, 3);
 }
@@ -95,7 +100,8 @@ std::string captureTables(const std::vector<CaptureResult>& results, std::size_t
       if (result.set != set) continue;
       const CaptureFigures& all = result.figures[0][range];
       isKnown = isKnown || !std::isnan(all.median);
-      std::vector<std::string> row = {nameOf(result, names), schemeOf(result, names)};
+      std::vector<std::string> row = {nameOf(result, names),
+                                      wordOf(result.scheme) + learnedWords(result, names)};
       for (const double value : {all.median, all.within95, all.worst})
         row.push_back(fixedNumber(value, kErrorDecimals));
       row.push_back(percentCell(all.coverage));

@@ -25,7 +25,8 @@ std::string schemeOf(const CaptureResult& result, const CaptureNames& names);
 // light. What is not known is left empty; ranges without any figure have no row.
 std::string captureCsv(const std::vector<CaptureResult>& results, const CaptureNames& names);
 
-// A table for each range in which there is a figure, of the results of one set.
+// A table for each range in which there is a figure, of the results of one set, whose name they do
+// not repeat.
 std::string captureTables(const std::vector<CaptureResult>& results, std::size_t set,
                           const MeasuredSpectra& spectra, const CaptureNames& names);
 
