@@ -1,13 +1,12 @@
 #include "core/calibrate/whole_spectrum_fit.h"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include <Eigen/Cholesky>
 
 #include "core/base/parallel.h"
-#include "core/fit/coordinate_prior.h"
-#include "core/maths/damped_search.h"
+#include "core/calibrate/coordinate_search.h"
 #include "core/maths/decompositions.h"
 
 namespace cutis {
@@ -16,10 +15,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Equations = EquationsOf<kParameterCount>;
 
-// In units of a variance: where the quadratic promises less than this, the search is over.
-constexpr double kEnough = 1e-9;
+// What little remains of the model's reflectance is error, wherever that is more than it.
+constexpr double kLeastLeftOver = -0.85;
 
 // The first of the positions that takes part in fits.
 Index firstTrusted(const WorkingSpectra& spectra) {
@@ -35,9 +33,8 @@ class WholeFitter {
   WholeFitter(const InstrumentModel& instrument, const ParameterAxes& axes, const Prior& like,
               const DiscrepancyProcess& process, const WorkingSpectra& spectra)
       : instrument_(instrument),
-        prior_(priorFrom(process.people, like)),
-        box_(coordinatePrior(prior_, axes, {})),
-        center_(process.people.mean),
+        like_(like),
+        prior_(coordinatePrior(priorFrom(process.people, like), axes, {})),
         spectra_(spectra),
         first_(firstTrusted(spectra)),
         count_(static_cast<Index>(spectra.at.size()) - first_) {
@@ -54,42 +51,22 @@ class WholeFitter {
       covariance(i, i) += readingVariance(measured[first_ + i]);
     const Eigen::LLT<MatrixXd> whitening(covariance);
 
-    // The search is in the unit box.
-    const Coordinates range = (box_.high - box_.low).matrix();
-    Coordinates best = box_.mean.max(box_.low).min(box_.high).matrix(), trial = best;
-    Equations found;
-    DampedSearch<kParameterCount> search({});
-    Coordinates step;
-    do {
-      const Equations at = equations(measured, whitening, trial);
-      if (search.improves(at.cost)) {
-        best = trial;
-        found = at;
-        search.accept({range.asDiagonal() * at.hessian * range.asDiagonal(),
-                       range.cwiseProduct(at.downhill), at.cost});
-      } else {
-        search.reject();
-      }
-      const Coordinates inBox = (best - box_.low.matrix()).cwiseQuotient(range);
-      if (!search.next(inBox, kEnough, step)) break;
-      trial = (best + range.cwiseProduct(step))
-                  .cwiseMax(box_.low.matrix())
-                  .cwiseMin(box_.high.matrix());
-    } while (true);
-
+    const FoundCoordinates found = searchCoordinates(prior_, [&](const Coordinates& coordinates) {
+      return equations(measured, whitening, coordinates);
+    });
     WholeFit result;
-    result.coordinates = best;
-    result.covariance = inverseOfPositive<kParameterCount>(found.hessian);
-    result.leftOver = leftOver(measured, parametersOf(prior_, best));
-    result.converged = search.converged() && result.leftOver.allFinite();
+    result.coordinates = found.coordinates;
+    result.covariance = inverseOfPositive<kParameterCount>(found.equations.hessian);
+    result.leftOver = leftOver(measured, parametersOf(like_, found.coordinates));
+    result.converged = found.converged && result.leftOver.allFinite();
     return result;
   }
 
  private:
-  Equations equations(const VectorXd& measured, const Eigen::LLT<MatrixXd>& whitening,
-                      const Coordinates& coordinates) const {
-    const ParameterVector parameters = parametersOf(prior_, coordinates);
-    const Coordinates away = coordinates - center_;
+  CoordinateEquations equations(const VectorXd& measured, const Eigen::LLT<MatrixXd>& whitening,
+                                const Coordinates& coordinates) const {
+    const ParameterVector parameters = parametersOf(like_, coordinates);
+    const Coordinates away = coordinates - prior_.mean.matrix();
     VectorXd residual(count_);
     Eigen::Matrix<double, Eigen::Dynamic, kParameterCount> slopes(count_, kParameterCount);
     for (Index i = 0; i < count_; ++i) {
@@ -100,16 +77,17 @@ class WholeFitter {
       const double scale = (1.0 + mean_[i]) / measured[position];
       residual[i] = 1.0 - scale * modelled - slope_.row(i).dot(away);
       for (int k = 0; k < kParameterCount; ++k) {
-        const double chain = prior_.isLog(k) ? parameters[k] : 1.0;
+        const double chain = like_.isLog(k) ? parameters[k] : 1.0;
         slopes(i, k) = scale * byParameter[k] * chain + slope_(i, k);
       }
     }
     whitening.matrixL().solveInPlace(residual);
     whitening.matrixL().solveInPlace(slopes);
-    Equations sums;
-    sums.hessian = slopes.transpose() * slopes + box_.precision;
-    sums.downhill = slopes.transpose() * residual - box_.precision * away;
-    sums.cost = residual.squaredNorm() + away.dot(box_.precision * away);
+    CoordinateEquations sums;
+    sums.hessian = slopes.transpose() * slopes;
+    sums.downhill = slopes.transpose() * residual;
+    sums.cost = residual.squaredNorm();
+    addPrior(prior_, coordinates, sums);
     return sums;
   }
 
@@ -117,15 +95,15 @@ class WholeFitter {
     VectorXd result(measured.size());
     for (Index i = 0; i < result.size(); ++i) {
       const int sample = gridSample(spectra_.at[static_cast<std::size_t>(i)]);
-      result[i] = measured[i] / instrument_.reflectanceAt(sample, parameters) - 1.0;
+      const double left = measured[i] / instrument_.reflectanceAt(sample, parameters) - 1.0;
+      result[i] = std::max(left, kLeastLeftOver);
     }
     return result;
   }
 
   const InstrumentModel& instrument_;
-  Prior prior_;
-  CoordinatePrior box_;
-  Coordinates center_;
+  const Prior& like_;
+  CoordinatePrior prior_;
   const WorkingSpectra& spectra_;
   Index first_, count_;
   VectorXd mean_;

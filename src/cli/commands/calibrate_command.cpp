@@ -1,4 +1,5 @@
-// calibrate-profile: the constants and the prior of a profile from measured spectra.
+// calibrate-profile: the constants and the prior of a profile from measured spectra, or what its
+// model leaves over of them.
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "core/base/number_text.h"
 #include "src/cli/command.h"
+#include "src/cli/commands/learn_discrepancy.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
 #include "src/cli/output_check.h"
@@ -68,7 +70,9 @@ Status checkSpectra(const CalibrationInput& input, int halvings,
       return inputError(places[i], "too few spectra: " + std::to_string(spectra.ids.size()) +
                                        " where at least " + std::to_string(fewest) + " are needed");
     }
-    for (const SpectralAim& aim : recipe.spectra[i].aims) {
+    std::vector<SpectralAim> aims = recipe.spectra[i].aims;
+    if (recipe.learnsDiscrepancy()) aims = {SpectralAim{}};
+    for (const SpectralAim& aim : aims) {
       const double from = std::min(aim.fromNm, kFittedFromNm);
       const double to = std::max(aim.toNm, kFittedToNm);
       if (spectra.wavelengthsNm.front() <= from && spectra.wavelengthsNm.back() >= to) continue;
@@ -138,6 +142,20 @@ std::string tablesOf(const CalibrationRecipe& recipe, const CalibrationStudy& st
   return constants.text() + "\n" + errors.text();
 }
 
+Status runLearning(const CalibrateCommand& command, const CalibrationInput& input,
+                   const Repetitions& asked, Session& session) {
+  if (!command.bootstraps.empty()) {
+    return usageError("--bootstraps", "the calibration " + input.recipe.name +
+                                          " keeps all constants and has no intervals to find; "
+                                          "leave the option out");
+  }
+  CUTIS_TRY(learned, learnProfile(input.recipe, input.spectra.front(), asked.halvings, asked.seed,
+                                  command.spectra.front(), session.context));
+  CUTIS_CHECK(writeTextAtomically(command.output, learned.text));
+  session.clearProgress();
+  return printText(learned.table, kTablesLost);
+}
+
 Status runCalibrateCommand(const CalibrateCommand& command, Session& session) {
   std::vector<std::string> inputs = command.spectra;
   inputs.push_back(command.recipe);
@@ -145,6 +163,7 @@ Status runCalibrateCommand(const CalibrateCommand& command, Session& session) {
   CUTIS_TRY(asked, repetitionsOf(command));
   CUTIS_TRY(input,
             readInput(command, asked.halvings, {session.context.stop, {}, session.context.notice}));
+  if (input.recipe.learnsDiscrepancy()) return runLearning(command, input, asked, session);
   CUTIS_TRY(study, studyOf(input.recipe, input.spectra));
   study.halvings = asked.halvings;
   study.bootstraps = asked.bootstraps;
@@ -162,10 +181,11 @@ Status runCalibrateCommand(const CalibrateCommand& command, Session& session) {
 
 void addCalibrateProfileCommand(CLI::App& app, Invocation& invocation) {
   const auto options = std::make_shared<CalibrateCommand>();
-  CLI::App& command =
-      addCommand(app, invocation, "calibrate-profile",
-                 "Find a profile's constants and prior from measured reflectance spectra", options,
-                 runCalibrateCommand);
+  CLI::App& command = addCommand(
+      app, invocation, "calibrate-profile",
+      "Find a profile's constants and prior, or what its model leaves over, from measured "
+      "reflectance spectra",
+      options, runCalibrateCommand);
   addOption(command, "RECIPE", options->recipe, "NAME|FILE",
             "What is calibrated and how: a built-in name or a JSON file")
       ->required();
@@ -179,7 +199,7 @@ void addCalibrateProfileCommand(CLI::App& app, Invocation& invocation) {
             "other (default: 6)");
   addOption(command, "--bootstraps", options->bootstraps, "N",
             "Calibrations on spectra drawn again, for the intervals of the constants "
-            "(default: 30)");
+            "(default: 30; not where all constants are kept)");
   addOption(command, "--seed", options->seed, "N", "Seed of the random numbers (default: 1)");
 }
 

@@ -96,6 +96,31 @@ Result<std::string> calibratedProfileText(const CalibrationRecipe& recipe,
   return text;
 }
 
+Result<DiscrepancyStudy> discrepancyStudyOf(const CalibrationRecipe& recipe,
+                                            const MeasuredSpectra& spectra) {
+  DiscrepancyStudy study;
+  CUTIS_TRY(profile, parseProfile(recipe.startText, recipe.start));
+  study.profile = profile;
+  const CalibrationSpectra& described = recipe.spectra.front();
+  study.spectra = {
+      spectra, described.specular, described.specularShare, described.edgeLossPerMm, {}};
+  study.components = recipe.components;
+  return study;
+}
+
+Result<std::string> learnedProfileText(const CalibrationRecipe& recipe,
+                                       const Discrepancies& discrepancies, std::size_t people) {
+  ProfileEdits edits;
+  edits.name = recipe.name;
+  edits.description = recipe.description;
+  edits.discrepancies = discrepancies;
+  edits.sources.emplace_back("discrepancy", "Learned from " + std::to_string(people) +
+                                                " spectra of " + recipe.spectra.front().name + ".");
+  std::string text = editedProfile(recipe.startText, edits);
+  CUTIS_CHECK(parseProfile(text, kMadePlace));
+  return text;
+}
+
 std::string constantLabel(const CalibrationRecipe& recipe, const CalibrationConstant& constant) {
   const std::string& field = constant.constant.name;
   return constant.spectra ? recipe.spectra[*constant.spectra].name + " " + field : field;

@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/calibrate/calibration_study.h"
+#include "core/calibrate/discrepancy_study.h"
 #include "src/files/profiles/calibration_file.h"
 
 namespace cutis {
@@ -22,6 +23,15 @@ Result<CalibrationStudy> studyOf(const CalibrationRecipe& recipe,
 // the errors on spectra that were left out. Fails if that is no valid profile.
 Result<std::string> calibratedProfileText(const CalibrationRecipe& recipe,
                                           const CalibrationFigures& figures);
+
+// The same of a recipe that learns a discrepancy; without channels, halvings and a seed. `spectra`
+// are those of its one file.
+Result<DiscrepancyStudy> discrepancyStudyOf(const CalibrationRecipe& recipe,
+                                            const MeasuredSpectra& spectra);
+
+// The recipe's start with the discrepancies and where they are from. people: how many there were.
+Result<std::string> learnedProfileText(const CalibrationRecipe& recipe,
+                                       const Discrepancies& discrepancies, std::size_t people);
 
 // "epidermis.thickness_mm", or "leeds specular_share" of a set's own constant.
 std::string constantLabel(const CalibrationRecipe& recipe, const CalibrationConstant& constant);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/echoed_text.h"
+#include "core/skin/profile/discrepancy.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -41,8 +42,8 @@ Result<SpectralAim> parseAim(const JsonValue& object) {
   return SpectralAim{from, to, rms};
 }
 
-Result<CalibrationSpectra> parseSpectra(const JsonValue& object) {
-  CUTIS_CHECK(object.allowOnly({"name", "specular", kSpecularShare, "aperture_radius_mm", "aims"}));
+// How a set was measured, aims aside.
+Result<CalibrationSpectra> parseMeasurement(const JsonValue& object) {
   CalibrationSpectra spectra;
   CUTIS_TRY(name, object.text("name"));
   CUTIS_TRY(specular, parseSpecular(object));
@@ -53,15 +54,21 @@ Result<CalibrationSpectra> parseSpectra(const JsonValue& object) {
     if (!(radius > 0.0)) return object.error("aperture_radius_mm", "greater than 0");
     spectra.edgeLossPerMm = edgeLossOfAperture(radius);
   }
+  spectra.name = name;
+  spectra.specular = specular;
+  spectra.specularShare = share;
+  return spectra;
+}
+
+Result<CalibrationSpectra> parseSpectra(const JsonValue& object) {
+  CUTIS_CHECK(object.allowOnly({"name", "specular", kSpecularShare, "aperture_radius_mm", "aims"}));
+  CUTIS_TRY(spectra, parseMeasurement(object));
   CUTIS_TRY(aims, object.array("aims"));
   for (const JsonValue& each : aims) {
     CUTIS_TRY(aim, parseAim(each));
     spectra.aims.push_back(aim);
   }
   if (spectra.aims.empty()) return object.error("aims", "one aim or more");
-  spectra.name = name;
-  spectra.specular = specular;
-  spectra.specularShare = share;
   return spectra;
 }
 
@@ -130,26 +137,24 @@ Result<std::string> startText(const std::string& start, const std::string& place
   return profileText(isBeside ? (fs::path(place).parent_path() / start).string() : start, place);
 }
 
-Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& place,
-                                      bool isBuiltIn) {
-  CUTIS_TRY(root, parseJson(text, place));
-  CUTIS_CHECK(checkVersion(root, "cutis_calibration", kNewestCalibration));
-  CUTIS_CHECK(root.allowOnly({"cutis_calibration", "name", "description", "start", "step_nm",
-                              "pull", "spectra", "prior", "constants"}));
-  CalibrationRecipe recipe;
+Status parseNames(const JsonValue& root, CalibrationRecipe& recipe) {
   CUTIS_TRY(name, root.text("name"));
   CUTIS_TRY(description, root.text("description", ""));
   CUTIS_TRY(start, root.text("start"));
+  if (name.empty()) return root.error("name", "a text that is not empty");
+  recipe.name = name;
+  recipe.description = description;
+  recipe.start = start;
+  return {};
+}
+
+Status parseConstants(const JsonValue& root, CalibrationRecipe& recipe) {
   CUTIS_TRY(step, root.integer("step_nm"));
   CUTIS_TRY(pull, root.number("pull"));
-  if (name.empty()) return root.error("name", "a text that is not empty");
   if (step <= 0 || step % kWavelengthStepNm != 0 || step > 100) {
     return root.error("step_nm", "an even number from 2 to 100");
   }
   if (!(pull >= 0.0)) return root.error("pull", "0 or greater");
-  recipe.name = name;
-  recipe.description = description;
-  recipe.start = start;
   recipe.stepNm = step;
   recipe.pull = pull;
   CUTIS_TRY(spectra, root.array("spectra"));
@@ -173,8 +178,46 @@ Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& 
     recipe.constants.push_back(parsed);
   }
   if (recipe.constants.empty()) return root.error("constants", "one object or more");
-  CUTIS_TRY(profile, startText(start, place, isBuiltIn));
-  CUTIS_CHECK(parseProfile(profile, start));
+  return {};
+}
+
+// Of a recipe that keeps all constants.
+Status parseDiscrepancyAsked(const JsonValue& root, CalibrationRecipe& recipe) {
+  CUTIS_TRY(spectra, root.array("spectra"));
+  if (spectra.size() != 1) {
+    return root.error("spectra", "one object where a discrepancy is learned");
+  }
+  CUTIS_CHECK(spectra[0].allowOnly({"name", "specular", kSpecularShare, "aperture_radius_mm"}));
+  CUTIS_TRY(parsed, parseMeasurement(spectra[0]));
+  recipe.spectra.push_back(parsed);
+  CUTIS_TRY(object, root.object("discrepancy"));
+  CUTIS_CHECK(object.allowOnly({"components"}));
+  CUTIS_TRY(components, object.integer("components"));
+  if (components < 1 || components > kMaximumCoefficients) {
+    return object.error("components", "1 to " + std::to_string(kMaximumCoefficients));
+  }
+  recipe.components = components;
+  return {};
+}
+
+Result<CalibrationRecipe> parseRecipe(std::string_view text, const std::string& place,
+                                      bool isBuiltIn) {
+  CUTIS_TRY(root, parseJson(text, place));
+  CUTIS_CHECK(checkVersion(root, "cutis_calibration", kNewestCalibration));
+  CalibrationRecipe recipe;
+  if (root.has("discrepancy")) {
+    CUTIS_CHECK(root.allowOnly(
+        {"cutis_calibration", "name", "description", "start", "spectra", "discrepancy"}));
+    CUTIS_CHECK(parseNames(root, recipe));
+    CUTIS_CHECK(parseDiscrepancyAsked(root, recipe));
+  } else {
+    CUTIS_CHECK(root.allowOnly({"cutis_calibration", "name", "description", "start", "step_nm",
+                                "pull", "spectra", "prior", "constants"}));
+    CUTIS_CHECK(parseNames(root, recipe));
+    CUTIS_CHECK(parseConstants(root, recipe));
+  }
+  CUTIS_TRY(profile, startText(recipe.start, place, isBuiltIn));
+  CUTIS_CHECK(parseProfile(profile, recipe.start));
   recipe.startText = profile;
   return recipe;
 }

@@ -23,6 +23,10 @@
 //                         scale    of sd: "linear" or "log"; linear
 //                         note     why, for the profile's sources; may be left out
 //
+//   discrepancy         {"components": n}: learned of the spectra, of which there is one file
+//                       (core/calibrate/discrepancy_study.h). Then all constants and the prior are
+//                       those of the start: step_nm, pull, prior, constants and aims are left out
+//
 // An unknown field is an error.
 
 #include <optional>
@@ -60,6 +64,10 @@ struct CalibrationRecipe {
   std::vector<CalibrationConstant> constants;
   std::size_t priorSpectra = 0;
   double priorNoise = 0.0;
+  // Of a discrepancy; then there are no constants. 0: none is learned.
+  int components = 0;
+
+  bool learnsDiscrepancy() const { return components > 0; }
 };
 
 // A built-in name or a path. `place` stands in front of an error about the name itself.

@@ -26,6 +26,11 @@ constexpr char kRecipe[] = R"({
                  "expected": 0.04, "sd": 0.05}]
 })";
 
+constexpr char kLearnedRecipe[] = R"({
+  "cutis_calibration": 1, "name": "ours", "start": "li2024",
+  "spectra": [{"name": "us", "specular": "included"}], "discrepancy": {"components": 3}
+})";
+
 std::string parametersOfPeople() {
   std::string text = "melanin,melanin_blend,haemoglobin_dermal,haemoglobin_epidermal,carotene\n";
   for (int i = 0; i < 16; ++i) {
@@ -55,6 +60,7 @@ class CalibrateTest : public QObject {
     run_.write("truth.json", withThickness("0.36"));
     run_.write("START.json", withThickness("0.45"));
     run_.write("recipe.json", kRecipe);
+    run_.write("learned.json", kLearnedRecipe);
     EXPECT_DONE(
         run_.run("spectrum --csv sets.csv --profile truth.json -o skin.csv --specular "
                  "included --specular-share 0.03"));
@@ -101,6 +107,30 @@ class CalibrateTest : public QObject {
     QVERIFY(text.find("left out") == std::string::npos);
   }
 
+  // All constants are kept, and it says what that gains.
+  void aDiscrepancyIsLearned() {
+    const std::string options = " skin.csv --halvings 1 --threads ";
+    const auto outcomes = run_.runAll(
+        {QString::fromStdString("calibrate-profile learned.json -o first.json" + options + "1"),
+         QString::fromStdString("calibrate-profile learned.json -o second.json" + options + "2")});
+    for (const Outcome& outcome : outcomes)
+      EXPECT_DONE(outcome);
+    QVERIFY(run_.read("first.json") == run_.read("second.json"));
+    QVERIFY(outcomes[0].output == outcomes[1].output);
+    for (const char* part : {"people left out", "without", "with", "monitor, no noise",
+                             "monitor, 0.5 % noise", "400-700 nm", "700-1000 nm"}) {
+      QVERIFY2(outcomes[0].output.find(part) != std::string::npos, outcomes[0].output.c_str());
+    }
+    const auto made = loadProfile((run_ / "first.json").string(), "made");
+    QVERIFY2(bool(made), made.failed() ? made.error().text().c_str() : "");
+    QCOMPARE(made.value().name, std::string("ours"));
+    QCOMPARE(made.value().discrepancies.surfaceIncluded->count(), 3);
+    QCOMPARE(made.value().discrepancies.surfaceRemoved->count(), 3);
+    QCOMPARE(made.value().epidermalThicknessMm,
+             loadProfile("li2024", "").value().epidermalThicknessMm);
+    QVERIFY(run_.read("first.json").find("Learned from 16 spectra of us.") != std::string::npos);
+  }
+
   void wrongInputIsTold_data() {
     QTest::addColumn<QString>("line");
     QTest::addColumn<int>("status");
@@ -108,6 +138,15 @@ class CalibrateTest : public QObject {
     run_.write("short.csv",
                "id,400,420,440,460,480,500,700\na,.1,.1,.1,.2,.2,.2,.3\nb,.1,.1,.1,.2,.2,.2,.3\n"
                "c,.1,.1,.1,.2,.2,.2,.3\nd,.1,.1,.1,.2,.2,.2,.3\n");
+    std::string eight = "id,400,420,440,460,480,500,700\n";
+    for (int i = 0; i < 8; ++i)
+      eight += "a,.1,.1,.1,.2,.2,.2,.3\n";
+    run_.write("eight.csv", eight);
+    run_.write("black.csv", QString::fromStdString(eight)
+                                .replace("a,.1,.1,.1,.2,.2,.2,.3\na,.1,.1,.1",
+                                         "a,.1,.1,.1,.2,.2,.2,.3\na,.1,.1,0")
+                                .toStdString());
+    run_.write("violet.csv", QString::fromStdString(eight).replace("700", "690").toStdString());
     run_.write("few.csv", "id,300,400,440,460,480,500,700\na,.1,.1,.1,.2,.2,.2,.3\n");
     run_.write("nofield.json", QString(kRecipe).replace("thickness_mm", "depth_mm").toStdString());
     const char* line = "calibrate-profile %1 -o %2";
@@ -122,6 +161,13 @@ class CalibrateTest : public QObject {
         "takes 1 file, given were 2");
     row("no file", "recipe.json none.csv", "x.json", 3, "none.csv");
     row("range", "recipe.json short.csv", "x.json", 3, "320 to 700 nm");
+    row("constants kept", "learned.json skin.csv --bootstraps 3", "x.json", 2, "--bootstraps");
+    row("few to halve", "learned.json eight.csv", "x.json", 3, "--halvings 0");
+    row("few to learn from", "learned.json short.csv --halvings 0", "x.json", 3,
+        "short.csv: too few people to learn from: 4");
+    row("not positive", "learned.json black.csv --halvings 0", "x.json", 3,
+        "black.csv: spectrum 2 has a reflectance that is not positive at 440 nm");
+    row("too short", "learned.json violet.csv", "x.json", 3, "400 to 700 nm");
     row("few", "recipe.json few.csv", "x.json", 3, "too few spectra: 1");
     row("over an input", "recipe.json skin.csv", "skin.csv", 2, "skin.csv");
     row("no folder", "recipe.json skin.csv", "none/x.json", 4, "none");

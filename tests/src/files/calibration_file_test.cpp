@@ -25,8 +25,14 @@ constexpr char kRecipe[] = R"({
                  "expected": 0.04, "sd": 0.01}]
 })";
 
-std::string changed(const std::string& from, const std::string& to) {
-  std::string text = kRecipe;
+constexpr char kLearnedRecipe[] = R"({
+  "cutis_calibration": 1, "name": "mine", "start": "li2024",
+  "spectra": [{"name": "a", "specular": "crossed"}], "discrepancy": {"components": 3}
+})";
+
+std::string changed(const std::string& from, const std::string& to,
+                    const std::string& recipe = kRecipe) {
+  std::string text = recipe;
   const auto at = text.find(from);
   if (at == std::string::npos) return "test is wrong: " + from;
   return text.replace(at, from.size(), to);
@@ -68,6 +74,16 @@ class CalibrationFileTest : public QObject {
     QCOMPARE(recipe.constants[0].note, std::string("why"));
     QCOMPARE(*recipe.constants[1].spectra, std::size_t{0});
     QCOMPARE(recipe.priorNoise, 0.01);
+  }
+
+  void aDiscrepancyKeepsAllConstants() {
+    folder_.write("learned.json", kLearnedRecipe);
+    const auto read = loadCalibrationRecipe((folder_ / "learned.json").string(), "RECIPE");
+    QVERIFY2(bool(read), read.failed() ? read.error().text().c_str() : "");
+    QVERIFY(read.value().learnsDiscrepancy());
+    QCOMPARE(read.value().components, 3);
+    QVERIFY(read.value().constants.empty());
+    QVERIFY(read.value().spectra[0].specular == SpecularPart::crossPolarised);
   }
 
   void aStartBesideTheRecipeIsFound() {
@@ -115,6 +131,14 @@ class CalibrationFileTest : public QObject {
     row("log of nothing", changed("\"low\": 0.1", "\"low\": 0"), "constants[0].low");
     row("field of spectra", changed("\"field\": \"specular_share\"", "\"field\": \"gain\""),
         "constants[1].field");
+    const auto learned = [&](const char* name, const char* from, const char* to, const char* part) {
+      row(name, changed(from, to, kLearnedRecipe), part);
+    };
+    learned("no components", "3", "0", "discrepancy.components");
+    learned("too many components", "3", "9", "discrepancy.components");
+    learned("constants beside it", "\"start\"", "\"pull\": 1, \"start\"", "pull");
+    learned("aims beside it", "\"crossed\"", "\"crossed\", \"aims\": []", "aims");
+    learned("nobody", "{\"name\": \"a\", \"specular\": \"crossed\"}", "", "spectra");
   }
   void wrongRecipesAreTold() {
     QFETCH(QString, text);

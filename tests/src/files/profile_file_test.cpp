@@ -65,7 +65,7 @@ class ProfileFileTest : public QObject {
   }
 
   void namesAndFilesGiveTheSameModel() {
-    const std::vector<std::string> shipped = {"li2024", "skin2026"};
+    const std::vector<std::string> shipped = {"li2024", "skin2026", "skin2026b"};
     QVERIFY(profileNames() == shipped);
     const test::ScratchFolder folder;
     const auto path = folder.write("copy.json", paper());

@@ -62,9 +62,7 @@ std::string nameOf(const CaptureResult& result, const CaptureNames& names) {
 std::string schemeOf(const CaptureResult& result, const CaptureNames& names) {
   std::string words = wordOf(result.scheme);
   if (names.sets.size() > 1) words += " " + names.sets[result.set];
-  if (result.scheme == CaptureScheme::setLeftOut)
-    words += " from " + names.sets[result.learnedFrom];
-  return words;
+  return words + learnedWords(result, names);
 }
 
 std::string captureCsv(const std::vector<CaptureResult>& results, const CaptureNames& names) {
