@@ -18,7 +18,7 @@ namespace {
 // Where a darker skin's ultraviolet is all but the surface's reflection, what is left after taking
 // that off is error, and may be negative.
 constexpr double kLeastBelowSurface = 0.003;
-constexpr std::uint64_t kHalfStream = 11, kDrawnStream = 12, kNoiseStream = 13;
+constexpr std::uint64_t kPeopleStream = 11, kLessonStream = 12, kCaptureNoiseStream = 13;
 
 // [person]
 using PeopleChoice = std::vector<std::size_t>;
@@ -43,7 +43,7 @@ std::vector<std::size_t> spectraOf(const People& people, const PeopleChoice& cho
 // As many as may be learned from; every one of them where there are no more.
 PeopleChoice learnable(const PeopleChoice& choice, std::uint64_t seed) {
   if (choice.size() <= kMostLearned) return choice;
-  Random random(seed, kDrawnStream);
+  Random random(seed, kLessonStream);
   PeopleChoice some;
   for (const std::size_t place : inRandomOrder(choice.size(), random)) {
     if (some.size() < kMostLearned) some.push_back(choice[place]);
@@ -220,7 +220,8 @@ class CaptureRun {
   }
 
   std::uint64_t noiseKey(const JudgedSet& set, std::size_t repetition) const {
-    return mixBits(mixBits(mixBits(study_.seed) + kNoiseStream) + 1000 * set.index + repetition);
+    return mixBits(mixBits(mixBits(study_.seed) + kCaptureNoiseStream) + 1000 * set.index +
+                   repetition);
   }
 
   PeopleChoice everyone(const JudgedSet& set) const {
@@ -266,7 +267,7 @@ class CaptureRun {
     std::vector<Lesson> lessons;
     for (int halving = 0; halving < study_.halvings; ++halving) {
       const auto repetition = static_cast<std::size_t>(halving);
-      Random random(study_.seed + repetition, kHalfStream);
+      Random random(study_.seed + repetition, kPeopleStream);
       const PeopleChoice order = inRandomOrder(set.people.size(), random);
       const auto middle = order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2);
       const PeopleChoice one(order.begin(), middle), other(middle, order.end());

@@ -78,7 +78,7 @@ struct CaptureResult {
 //
 // Preconditions: at least one set and model; spectra from 400 to 700 nm without a gap, and there
 // above the surface reflection; with halvings at least 2 · kFewestPeople people a set, with several
-// sets kFewestPeople. Errors: those of learnDiscrepancy(). Cancelled if asked to stop. About 1.5 s
+// sets kFewestPeople. Errors: those of learnDiscrepancy(). Cancelled if asked to stop. About 0.5 s
 // a half of 25 people and model.
 Result<std::vector<CaptureResult>> runCaptureStudy(const CaptureStudy& study,
                                                    const JobContext& context);
