@@ -7,9 +7,12 @@
 // correlated noise (to begin with a smooth Gaussian process), so that parameters follow what they
 // can explain and nothing else. What is left over, relative to the model, has a mean, follows the
 // parameters' coordinates by ridge regression, and varies about that with a covariance that is
-// drawn towards the smooth one by a few people's worth. The components are those of the greatest
-// variance of reflectance over the wavelengths that cameras see; outside of these each is what
-// goes with it, and what remains there is `rest`.
+// drawn towards the smooth one by a few people's worth. Fits begin at 320 nm; below, what is left
+// over is as measured. People whose fit comes to no end do not count, and those far from all others
+// count for less. The components are those of the greatest
+// variance of reflectance over the wavelengths that cameras see; outside of these each is what goes
+// with it, and what remains there is `rest`, as far as eight spectra tell it: of 50 people, that
+// leaves out 8 % of the variance below 400 nm, 4 % to 700 nm and 1 % beyond.
 //
 // Wavelengths are positions on the grid, reflectances shares as measured. Thread-safe: a pure
 // function; the same result for any number of threads.

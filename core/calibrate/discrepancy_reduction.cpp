@@ -38,6 +38,15 @@ MatrixXd symmetric(const MatrixXd& matrix) {
   return 0.5 * (matrix + matrix.transpose());
 }
 
+// Where hardly any light comes back, coefficients within their limit must not turn it negative.
+void keepPositive(Discrepancy& discrepancy) {
+  for (Index i = 0; i < int{kSampleCount}; ++i) {
+    const double room = 1.0 + discrepancy.mean[i] - kLeastFactor;
+    const double most = kMostCoefficientNorm * discrepancy.components.row(i).norm();
+    if (most > room) discrepancy.components.row(i) *= 0.99 * room / most;
+  }
+}
+
 }  // namespace
 
 Discrepancy reduced(const DiscrepancyProcess& process, const SkinModel& model, int components,
@@ -69,6 +78,7 @@ Discrepancy reduced(const DiscrepancyProcess& process, const SkinModel& model, i
       symmetric(coefficients * process.covariance(seen, seen) * coefficients.transpose());
   discrepancy.rest = toGrid(rest);
   discrepancy.prior = prior;
+  keepPositive(discrepancy);
   return discrepancy;
 }
 

@@ -11,6 +11,11 @@ const Discrepancy* chosenDiscrepancy(const Profile& profile, const Rig& rig,
   return profile.discrepancies.of(options.surface);
 }
 
+FitOptions suitedTo(const Measurements& measurements, FitOptions options) {
+  if (measurements.isSimulated && !options.discrepancy) options.discrepancy = false;
+  return options;
+}
+
 Prior assumedPrior(const Profile& profile, const Rig& rig, const FitOptions& options) {
   if (options.prior) return *options.prior;
   const Discrepancy* discrepancy = chosenDiscrepancy(profile, rig, options);

@@ -4,6 +4,7 @@
 // Thread-safe: a pure function; the result lives as long as the profile.
 
 #include "core/fit/fit_options.h"
+#include "core/rig/measurements.h"
 #include "core/rig/rig.h"
 #include "core/skin/profile/profile.h"
 
@@ -17,5 +18,9 @@ const Discrepancy* chosenDiscrepancy(const Profile& profile, const Rig& rig,
 // What a refined fit assumes of the parameters beforehand: the options' prior, or that of the
 // chosen discrepancy, or the profile's.
 Prior assumedPrior(const Profile& profile, const Rig& rig, const FitOptions& options);
+
+// The options for these measurements: simulated ones are of the model's own skin, of which nothing
+// is left over, unless the options say otherwise.
+FitOptions suitedTo(const Measurements& measurements, FitOptions options);
 
 }  // namespace cutis

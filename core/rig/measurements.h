@@ -25,6 +25,8 @@ struct Measurements {
   // reflects. loadChannel() applies it, so that another exposure reads no file again; states do not
   // depend on it.
   double exposure = 1.0;
+  // The skin is a model's own, which leaves nothing over (core/skin/profile/discrepancy.h).
+  bool isSimulated = false;
 
   // A channel of a rectangle times the exposure, row by row. Precondition: as for Plane::load.
   Status loadChannel(std::size_t channel, const Rect& rect, std::span<float> values) const;

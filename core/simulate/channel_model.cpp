@@ -27,11 +27,12 @@ Result<SpectrumRows> sampledSpectra(const SkinModel& model, int count, int first
 }  // namespace
 
 Result<ChannelModel> ChannelModel::create(const SkinModel& model, const Rig& rig,
-                                          const FreeConstants& free, const JobContext& context) {
-  if (free.count() > 0) {
-    CUTIS_TRY(response, FreeResponse::make(model, responseRows(rig), free, kNodeOptions, context));
+                                          const PerPixel& perPixel, const JobContext& context) {
+  if (perPixel != PerPixel{}) {
+    CUTIS_TRY(response,
+              ResponseModel::create(model, responseRows(rig), perPixel, context, kNodeOptions));
     ChannelModel channels(model, {}, rig.channelCount());
-    channels.freeResponse_ = std::make_shared<const FreeResponse>(std::move(response));
+    channels.response_ = std::move(response);
     return channels;
   }
   CUTIS_TRY(training, sampledSpectra(model, kTrainingCount, 0, context.child(0.0, 0.3)));
@@ -54,11 +55,11 @@ ChannelModel::ChannelModel(const SkinModel& model, const SpectralNodes& nodes, i
 
 void ChannelModel::evaluate(PixelRows<const float> values, std::vector<float>& reflectance,
                             PixelRows<float> channels) const {
-  if (freeResponse_ != nullptr) {
+  if (response_ != nullptr) {
     std::vector<float*> rows;
     for (std::size_t k = 0; k < channels.rowCount; ++k)
       rows.push_back(channels.row(k));
-    return freeResponse_->evaluate(values, rows);
+    return response_->evaluate(values, rows);
   }
   const auto nodeCount = static_cast<std::size_t>(nodes_.nodeCount());
   reflectance.resize(nodeCount * values.count);

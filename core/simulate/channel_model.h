@@ -12,10 +12,10 @@
 #include "core/base/pixel_rows.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
-#include "core/skin/free/free_response.h"
 #include "core/skin/model/compiled_model.h"
 #include "core/skin/model/reflectance_batch.h"
 #include "core/skin/model/skin_model.h"
+#include "core/skin/response_model.h"
 #include "core/spectra/spectral_nodes.h"
 
 namespace cutis {
@@ -25,10 +25,10 @@ class ChannelModel {
  public:
   // Channels within about 1e-6 rms over the profile's whole range, 2e-5 at worst. About 50 ms for
   // nine channels.
-  // With constants of each pixel's own, as far as they are free: cost and errors are then those of
-  // FreeResponse::make.
+  // Where pixels bring more along than the parameters, cost and errors are those of
+  // ResponseModel::create().
   static Result<ChannelModel> create(const SkinModel& model, const Rig& rig,
-                                     const FreeConstants& free, const JobContext& context);
+                                     const PerPixel& perPixel, const JobContext& context);
 
   std::size_t channelCount() const { return weights_.size(); }
 
@@ -41,8 +41,8 @@ class ChannelModel {
   ChannelModel(const SkinModel& model, const SpectralNodes& nodes, int channelCount);
 
   CompiledModel nodes_;
-  std::vector<std::vector<float>> weights_;           // by channel, then node
-  std::shared_ptr<const FreeResponse> freeResponse_;  // instead of both, where something is free
+  std::vector<std::vector<float>> weights_;        // by channel, then node
+  std::shared_ptr<const ResponseModel> response_;  // instead of both, where pixels bring more along
 };
 
 }  // namespace cutis

@@ -115,12 +115,13 @@ Result<Measurements> photograph(const ChromophoreMaps& maps, const SkinModel& mo
   if (!(proportionalNoise >= 0.0) || !std::isfinite(proportionalNoise)) {
     return usageError("", "the noise must be a standard deviation from 0, such as 0.005");
   }
-  CUTIS_TRY(channels, ChannelModel::create(model, rig, maps.free(), context.child(0.0, 0.2)));
+  CUTIS_TRY(channels, ChannelModel::create(model, rig, maps.perPixel(), context.child(0.0, 0.2)));
   const Sitting sitting = {maps, std::move(channels),
                            Backdrop(rig, maps.width(), maps.height(), seed), proportionalNoise,
                            seed};
   Measurements photographs;
   photographs.rig = rig;
+  photographs.isSimulated = maps.coefficients.empty();
   photographs.state = Plane(maps.width(), maps.height(), PixelFormat::half);
   for (int k = 0; k < rig.channelCount(); ++k) {
     photographs.channels.emplace_back(maps.width(), maps.height());

@@ -3,12 +3,6 @@
 #include <Eigen/Cholesky>
 
 namespace cutis {
-namespace {
-
-constexpr double kLeastFactor = 0.05;
-
-}  // namespace
-
 std::string surfaceLightName(SurfaceLight surface) {
   return surface == SurfaceLight::included ? "included" : "removed";
 }

@@ -12,4 +12,7 @@ inline constexpr int kMaximumCoefficients = 8;
 // away and no reflectance turns negative.
 inline constexpr double kMostCoefficientNorm = 4.0;
 
+// The least that the factor of reflectance may be then.
+inline constexpr double kLeastFactor = 0.05;
+
 }  // namespace cutis

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/fit/discrepancy_choice.h"
 #include "core/fit/spectrum_posterior.h"
 #include "core/skin/parameter_buffer.h"
 #include "src/app/fit_method.h"
@@ -370,7 +371,8 @@ std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const doub
     if (!measurements.loadChannel(k, {x, y, x + 1, y + 1}, value)) return std::nullopt;
     channels.push_back(double{value[0]});
   }
-  const SpectrumPosterior posterior(*scene_->model, measurements.rig, fitOptions(choice_));
+  const SpectrumPosterior posterior(*scene_->model, measurements.rig,
+                                    suitedTo(measurements, fitOptions(choice_)));
   // While a fit with another profile runs, the maps are still those of the last one.
   if (values.size() != posterior.valueCount()) return std::nullopt;
   return posterior.deviation(channels, values);

@@ -7,6 +7,7 @@
 #include "core/analyse/diffusion_domain.h"
 #include "core/analyse/exposure.h"
 #include "core/fit/coarse_fit.h"
+#include "core/fit/discrepancy_choice.h"
 #include "src/app/fit_method.h"
 
 namespace cutis {
@@ -83,7 +84,8 @@ Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
   fitted.model = model;
   fitted.source = source;
   fitted.method = options.fit.method;
-  CUTIS_TRY(solver, engine.solver(model, source->measurements.rig, options.fit,
+  CUTIS_TRY(solver, engine.solver(model, source->measurements.rig,
+                                  suitedTo(source->measurements, options.fit),
                                   context.child(0.0, kPrepared, "preparing")));
   fitted.nodes = solver->nodeCount();
   fitted.nodeRms = solver->nodes().rmsError;

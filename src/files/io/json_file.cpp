@@ -153,6 +153,13 @@ Result<std::string> JsonValue::asText() const {
   return node_->get<std::string>();
 }
 
+Result<bool> JsonValue::boolean(const std::string& key, bool fallback) const {
+  const json* field = find(key);
+  if (field == nullptr) return fallback;
+  if (!field->is_boolean()) return error(key, "true or false");
+  return field->get<bool>();
+}
+
 Result<double> JsonValue::number(const std::string& key) const {
   const json* field = find(key);
   if (field == nullptr) return error(key, "a number");

@@ -39,6 +39,7 @@ class JsonValue {
   Result<double> number(const std::string& key) const;  // finite
   Result<double> number(const std::string& key, double fallback) const;
   Result<int> integer(const std::string& key) const;
+  Result<bool> boolean(const std::string& key, bool fallback) const;
   Result<std::string> text(const std::string& key) const;
   Result<std::string> text(const std::string& key, const std::string& fallback) const;
 

@@ -7,7 +7,8 @@
 //     "images": [ {"light": "white", "file": "white.exr", "scale": [1, 1, 1]}, … ],
 //     "mask": "mask.png" }
 //
-// Pixels are linear, also those of integer images; a perfect diffuser under the light reads 1 in
+// "simulated": true says that the skin is a model's own, which leaves nothing over. Pixels are
+// linear, also those of integer images; a perfect diffuser under the light reads 1 in
 // every channel once multiplied by `scale`. Files lie in or below the folder. Lights of the rig
 // that are not there are left out of it. Colours that are stored multiplied by alpha are divided by
 // it, and pixels of alpha 0 are masked. Pixels at the end of an integer range are saturated; see

@@ -150,7 +150,7 @@ Result<CaptureManifest> readCaptureManifest(const fs::path& path,
   CUTIS_TRY(root, readJson(file));
   CUTIS_CHECK(checkVersion(root, "cutis_capture", kNewestCaptureVersion));
   CUTIS_CHECK(root.allowOnly(
-      {"cutis_capture", "rig", "encoding", "images", "mask", "chart", "description"}));
+      {"cutis_capture", "rig", "encoding", "images", "mask", "chart", "description", "simulated"}));
   if (root.has("chart")) {
     return inputError(root.file(), "chart: charts are not supported by this version; use scale");
   }
@@ -167,6 +167,8 @@ Result<CaptureManifest> readCaptureManifest(const fs::path& path,
     manifest.mask = mask;
   }
   if (!options.mask.empty()) manifest.mask = options.mask;
+  CUTIS_TRY(simulated, root.boolean("simulated", false));
+  manifest.isSimulated = simulated;
   return manifest;
 }
 

@@ -28,6 +28,7 @@ struct CaptureManifest {
   Rig rig;                                     // with only the lights that are there
   std::vector<CapturePhotograph> photographs;  // one per light, in the order of the rig
   std::filesystem::path mask;                  // may be empty
+  bool isSimulated = false;
 };
 
 Result<CaptureManifest> readCaptureManifest(const std::filesystem::path& path,

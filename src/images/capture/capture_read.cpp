@@ -71,6 +71,7 @@ class CaptureReader {
     compareWithDeclaration();
     CUTIS_CHECK(readTheMask());
     capture.measurements.rig = manifest_.rig;
+    capture.measurements.isSimulated = manifest_.isSimulated;
     capture.orientation = first_.orientation;
     CUTIS_CHECK(measure(capture.measurements));
     return capture;

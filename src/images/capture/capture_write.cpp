@@ -66,6 +66,7 @@ std::string manifestText(const Measurements& measurements, const CaptureWriteOpt
     root["images"].push_back({{"light", measurements.rig.lights[k].name}, {"file", files[k]}});
   }
   if (!options.mask.empty()) root["mask"] = kMaskFile;
+  if (measurements.isSimulated) root["simulated"] = true;
   return root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
