@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "core/fit/assumed_noise.h"
+#include "core/fit/coefficient_line.h"
 #include "core/fit/coordinate_prior.h"
 #include "core/fit/discrepancy_choice.h"
-#include "core/fit/refined/channel_discrepancy.h"
 #include "core/maths/decompositions.h"
 
 namespace cutis {

@@ -1,4 +1,4 @@
-#pragma once  // internal to core/fit
+#pragma once  // internal to core/fit/refined
 
 // The discrepancy of a profile (core/skin/profile/discrepancy.h) as channels see it, in the
 // coordinates of a fit.
@@ -35,13 +35,5 @@ struct ChannelDiscrepancy {
 // rows: responses of the channels over the grid, 0 throughout for one that sees nothing.
 ChannelDiscrepancy channelDiscrepancy(const Discrepancy& discrepancy, const SkinModel& model,
                                       const SpectrumRows& rows, const CoordinatePrior& coordinates);
-
-// The slope of the coefficients in the coordinates of a fit and what it adds for those that are
-// held: coefficients = offset + slope · x.
-struct CoefficientLine {
-  Eigen::VectorXd offset;
-  Eigen::MatrixXd slope;
-};
-CoefficientLine coefficientLine(const Discrepancy& discrepancy, const CoordinatePrior& coordinates);
 
 }  // namespace cutis

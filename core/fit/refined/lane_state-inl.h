@@ -41,6 +41,19 @@ struct Lanes {
   V unsure;  // 1 where a chord step at these derivatives cannot show convergence, else 0
 };
 
+// Where to try next along a rejected step: the parabola through both costs and the slope at the
+// base says so, within limits.
+template <class D, class V = hn::Vec<D>, class T = hn::TFromD<D>>
+HWY_INLINE V ShorterShare(D d, const Lanes<V>& lanes, V cost) {
+  const V two = hn::Set(d, T(2));
+  const V curvature =
+      hn::Div(hn::MulAdd(hn::Mul(two, lanes.decrease), lanes.share, hn::Sub(cost, lanes.cost)),
+              hn::Mul(lanes.share, lanes.share));
+  const V lowest = hn::Div(lanes.decrease, curvature);
+  return hn::Max(hn::Mul(lanes.share, hn::Set(d, T(0.1))),
+                 hn::Min(hn::Mul(lanes.share, hn::Set(d, T(0.5))), lowest));
+}
+
 // What goes to memory of a lane that is put aside.
 template <typename T>
 struct Straggler {

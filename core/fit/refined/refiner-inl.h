@@ -307,7 +307,7 @@ class Refiner {
     for (int i = 0; i < kParameterCount; ++i) {
       decrease = hn::MulAdd(step[i], downhill[i], decrease);
     }
-    const V shorter = ShorterShare(cost);
+    const V shorter = ShorterShare(d, lanes_, cost);
     lanes_.share = hn::IfThenElse(accepted, one, hn::IfThenElse(rejected, shorter, lanes_.share));
     lanes_.cost = hn::IfThenElse(accepted, cost, lanes_.cost);
     lanes_.decrease = hn::IfThenElse(accepted, decrease, lanes_.decrease);
@@ -351,19 +351,6 @@ class Refiner {
     const T expected = T(4) * static_cast<T>(problem_.channelCount);
     const V misfit = hn::Max(hn::Mul(lanes_.cost, hn::Set(d, T(1) / expected)), hn::Set(d, T(1)));
     return hn::Mul(misfit, hn::Set(d, problem_.tolerance));
-  }
-
-  // Where to try next along a rejected step: the parabola through both costs and the slope at the
-  // base says so, within limits.
-  HWY_INLINE V ShorterShare(V cost) const {
-    const D d;
-    const V two = hn::Set(d, T(2));
-    const V curvature =
-        hn::Div(hn::MulAdd(hn::Mul(two, lanes_.decrease), lanes_.share, hn::Sub(cost, lanes_.cost)),
-                hn::Mul(lanes_.share, lanes_.share));
-    const V lowest = hn::Div(lanes_.decrease, curvature);
-    return hn::Max(hn::Mul(lanes_.share, hn::Set(d, T(0.1))),
-                   hn::Min(hn::Mul(lanes_.share, hn::Set(d, T(0.5))), lowest));
   }
 
   // Whether what a shortened step promises is lost in the rounding of the cost.

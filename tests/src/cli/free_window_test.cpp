@@ -40,7 +40,7 @@ class FreeWindowTest : public QObject {
     document_.open(run_ / "free.exr");
     QTRY_VERIFY_WITH_TIMEOUT(document_.isOpen(), kPatienceMs);
     QVERIFY(document_.isFitted());
-    QCOMPARE(document_.scene().free().count(), 2);
+    QCOMPARE(document_.scene().perPixel().free.count(), 2);
   }
   void cleanupTestCase() { jobs_.stopAll(); }
 

@@ -1,4 +1,4 @@
-// validate: profiles against measured spectra.
+// validate: profiles against measured spectra, or, with --capture, photographs of them.
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +10,7 @@
 #include "core/evaluate/validation.h"
 #include "core/fit/spectra/spectra_fit.h"
 #include "src/cli/command.h"
+#include "src/cli/commands/validate/capture_command.h"
 #include "src/cli/commands/validate/validation_plot.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/measurement_options.h"
@@ -35,12 +36,10 @@ struct ValidateCommand {
   std::vector<std::string> profiles;
   std::string plot;
   MeasurementOptions measurement;
+  CaptureOptions capture;
 };
 
-struct DataSet {
-  std::string path;
-  MeasuredSpectra spectra;
-};
+using DataSet = CapturedFile;
 
 using Models = std::vector<std::shared_ptr<const SkinModel>>;
 
@@ -172,16 +171,29 @@ Status validateOn(const DataSet& data, const ValidateCommand& command, const Mod
   return print(headingOf(data, setting) + table.text(), session);
 }
 
-Status runValidateCommand(const ValidateCommand& command, Session& session) {
-  CUTIS_TRY(setting, parseMeasurement(command.measurement));
-  CUTIS_TRY(models, loadModels(command.profiles, session));
-  CUTIS_CHECK(checkPlots(command, models));
-  CUTIS_TRY(rig, loadRig(kRig, {}, "rig"));
+Result<std::vector<DataSet>> readAll(const std::vector<std::string>& paths,
+                                     const Session& session) {
   std::vector<DataSet> all;
-  for (const std::string& path : command.spectra) {
+  for (const std::string& path : paths) {
     CUTIS_TRY(data, readData(path, {session.context.stop, {}, session.context.notice}));
     all.push_back(std::move(data));
   }
+  return all;
+}
+
+Status runValidateCommand(const ValidateCommand& command, Session& session) {
+  CUTIS_CHECK(requireCapture(command.capture));
+  CUTIS_TRY(setting, parseMeasurement(command.measurement));
+  CUTIS_TRY(models, loadModels(command.profiles, session));
+  if (!command.capture.rig.empty()) {
+    CUTIS_TRY(files, readAll(command.spectra, session));
+    return runCaptureCommand(command.capture,
+                             {files, command.profiles, models, command.measurement, command.plot},
+                             session);
+  }
+  CUTIS_CHECK(checkPlots(command, models));
+  CUTIS_TRY(rig, loadRig(kRig, {}, "rig"));
+  CUTIS_TRY(all, readAll(command.spectra, session));
   CUTIS_CHECK(print(legend(), session));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto total = static_cast<double>(all.size());
@@ -212,7 +224,8 @@ void addValidateCommand(CLI::App& app, Invocation& invocation) {
   addMeasurementOptions(command, options->measurement);
   addOption(command, "--plot", options->plot, "FILE",
             "Residual spectra as SVG or PNG, one file for each file of spectra and profile: "
-            "their names are added to this one");
+            "their names are added to this one; with --capture errors by wavelength in one file");
+  addCaptureOptions(command, options->capture);
 }
 
 }  // namespace cutis
