@@ -183,6 +183,43 @@ class MapsFileTest : public QObject {
     }
   }
 
+  void coefficientsGoAlong() {
+    for (const SurfaceLight surface : {SurfaceLight::included, SurfaceLight::removed}) {
+      MapsFile written = makeMaps(true);
+      written.maps.addCoefficients(surface, 3, nullptr);
+      for (std::size_t c = 0; c < 3; ++c) {
+        // Numbers that a half holds.
+        written.maps.coefficients[c] = makePlane(kWidth, kHeight, [c](int x, int y) {
+          return static_cast<float>((x + y) % 7 - 3) * 0.25f + static_cast<float>(c);
+        });
+      }
+      EXPECT_OK(writeMaps(folder_.path("coefficients.exr"), written, {}));
+      const auto file = read(folder_.path("coefficients.exr"));
+      EXPECT_OK(file);
+      QVERIFY(file.value().maps.perPixel() == written.maps.perPixel());
+      QCOMPARE(file.value().maps.coefficients.size(), std::size_t{3});
+      for (std::size_t c = 0; c < 3; ++c) {
+        QVERIFY(file.value().maps.coefficients[c].format() == PixelFormat::half);
+        QVERIFY(valuesOf(file.value().maps.coefficients[c]) ==
+                valuesOf(written.maps.coefficients[c]));
+      }
+    }
+  }
+
+  void coefficientsOfAnUnknownDiscrepancyAreRefused() {
+    MapsFile written = makeMaps(false);
+    written.maps.addCoefficients(SurfaceLight::included, 2, nullptr);
+    EXPECT_OK(writeMaps(folder_.path("unknown.exr"), written, {}));
+    const auto file = read(folder_.path("unknown.exr"));
+    EXPECT_OK(file);
+    const Profile plain = loadProfile("li2024", "test").value();
+    EXPECT_ERROR(checkCoefficients(file.value().maps, plain, "unknown.exr"),
+                 "a discrepancy that their profile does not have");
+    const Profile other = loadProfile("skin2026b", "test").value();
+    EXPECT_ERROR(checkCoefficients(file.value().maps, other, "unknown.exr"), "2 coefficients");
+    EXPECT_OK(checkCoefficients(makeMaps(false).maps, plain, "plain.exr"));
+  }
+
   // At an estimate they must be what some profile could have; elsewhere they are nothing.
   void impossibleConstantsAreInvalid() {
     MapsFile maps = withConstants(makeMaps(false), {true, true});

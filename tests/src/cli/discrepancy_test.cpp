@@ -1,0 +1,94 @@
+// What the model leaves over, through fit, maps, pictures and spectra.
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/src/cli/program_run.h"
+#include "tests/src/cli/refusal.h"
+#include "tests/support/expect.h"
+#include "tests/support/test_registry.h"
+
+namespace cutis::test {
+namespace {
+
+class DiscrepancyTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    EXPECT_DONE(run_.run("simulate --patch 48x32 --profile skin2026b -o cap"));
+    EXPECT_DONE(run_.run("fit cap -o on.exr --profile skin2026b --discrepancy on"));
+    EXPECT_DONE(run_.run("fit cap -o off.exr --profile skin2026b"));
+  }
+
+  // A simulated capture is of the model's own skin.
+  void isOffForSimulatedSkin() {
+    QVERIFY(nlohmann::json::parse(run_.read("cap/capture.json"))["simulated"].get<bool>());
+    QVERIFY(run_.maps("off.exr").maps.coefficients.empty());
+    EXPECT_DONE(run_.run("fit cap -o skin2026.exr --profile skin2026"));
+    const MapsFile with = run_.maps("off.exr"), without = run_.maps("skin2026.exr");
+    for (std::size_t k = 0; k < kParameterCount; ++k)
+      QVERIFY(valuesOf(with.maps.values[k]) == valuesOf(without.maps.values[k]));
+  }
+
+  void mapsHoldTheCoefficients() {
+    const MapsFile maps = run_.maps("on.exr");
+    QCOMPARE(maps.maps.coefficients.size(), std::size_t{6});
+    QVERIFY(maps.maps.surface == SurfaceLight::included);
+    EXPECT_DONE(
+        run_.run("fit cap -o below.exr --profile skin2026b --discrepancy on --specular excluded"));
+    QVERIFY(run_.maps("below.exr").maps.surface == SurfaceLight::removed);
+  }
+
+  // The picture under a light and the spectra are of the same skin.
+  void picturesAndSpectraUseThem() {
+    const auto spectra = run_.run("spectrum --maps on.exr");
+    QCOMPARE(spectra.status, 0);
+    const auto lines = std::count(spectra.output.begin(), spectra.output.end(), '\n');
+    const std::vector<float> states = valuesOf(run_.maps("on.exr").maps.state);
+    QCOMPARE(lines - 1, std::count(states.begin(), states.end(), 0.0f));
+    QVERIFY(spectra.output.starts_with("x,y,300,302,"));
+    const auto single = run_.run("spectrum --maps on.exr --at 24,16");
+    QCOMPARE(std::count(single.output.begin(), single.output.end(), '\n'), std::ptrdiff_t{2});
+    const auto row = single.output.find("24,16,");
+    QVERIFY(row != std::string::npos);
+    QVERIFY(spectra.output.find(single.output.substr(row)) != std::string::npos);
+    EXPECT_DONE(run_.run("render on.exr -o band.exr --band 650:650 --bit-depth float"));
+    const Image band = run_.image("band.exr");
+    // Column 2 + (650 − 300) / 2 of the row.
+    std::size_t at = row;
+    for (int column = 0; column < 2 + 175; ++column)
+      at = single.output.find(',', at) + 1;
+    const double reflectance = std::stod(single.output.substr(at));
+    const std::vector<float> seen = valuesOf(band.channels.front());
+    EXPECT_NEAR(double{seen[16 * 48 + 24]}, reflectance, 2e-4);
+  }
+
+  void wrongWordsAreRefused() {
+    const auto refused = [&](const QString& command, const std::string& words) {
+      const auto outcome = run_.run(command);
+      QCOMPARE(outcome.status, 2);
+      QVERIFY2(outcome.errors.find(words) != std::string::npos, outcome.errors.c_str());
+    };
+    refused("fit cap -o x.exr --discrepancy maybe", "on or off");
+    refused("fit cap -o x.exr --method three-stage --discrepancy on", "only the method refined");
+    refused("fit cap -o x.exr --free oxygenation --discrepancy on", "--free");
+    refused("spectrum --maps on.exr --at 24", "two numbers");
+    refused("spectrum --at 24,16 --params 0.02,0.5,0.02,0.01,0.001", "--maps");
+    const auto outside = run_.run("spectrum --maps on.exr --at 48,0");
+    QCOMPARE(outside.status, 3);
+    QVERIFY2(outside.errors.find("48 × 32") != std::string::npos, outside.errors.c_str());
+  }
+
+ private:
+  ProgramRun run_;
+};
+
+CUTIS_TEST(DiscrepancyTest)
+
+}  // namespace
+}  // namespace cutis::test
+
+#include "discrepancy_test.moc"
