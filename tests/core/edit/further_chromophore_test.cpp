@@ -209,7 +209,7 @@ class FurtherChromophoreTest : public QObject {
   void whatKnowsFiveRefusesIt() {
     const SpectrumRows rows = SpectrumRows::Ones(1, kSampleCount);
     for (const FreeConstants free : {FreeConstants{}, FreeConstants{true, false}}) {
-      const auto response = ResponseModel::create(*models()[0], rows, free, {});
+      const auto response = ResponseModel::create(*models()[0], rows, {free, std::nullopt}, {});
       EXPECT_ERROR(response, "bilirubin");
     }
     const std::vector<double> nm = wavelengths(), spectrum(nm.size(), 0.3);

@@ -86,7 +86,7 @@ class EditedSkinTest : public QObject {
     const auto model = std::make_shared<const SkinModel>(test::li2024().profile());
     const ParameterVector skin = {0.03, 0.7, 0.02, 0.01, 0.0005};
     const SkinConstants own = {0.35, 0.4};
-    const auto spectra = SkinSpectra::make(model, {true, true}, {});
+    const auto spectra = SkinSpectra::make(model, {{true, true}, std::nullopt}, {});
     EXPECT_OK(spectra);
     const SkinModel expected(withConstants(model->profile(), own));
     const Spectrum found = spectra.value().reflectance(skin, own);
