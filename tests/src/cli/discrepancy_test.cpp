@@ -37,6 +37,9 @@ class DiscrepancyTest : public QObject {
     const MapsFile maps = run_.maps("on.exr");
     QCOMPARE(maps.maps.coefficients.size(), std::size_t{6});
     QVERIFY(maps.maps.surface == SurfaceLight::included);
+    const auto info = run_.run("info on.exr");
+    QVERIFY2(info.output.find("further parts: discrepancy") != std::string::npos,
+             info.output.c_str());
     EXPECT_DONE(
         run_.run("fit cap -o below.exr --profile skin2026b --discrepancy on --specular excluded"));
     QVERIFY(run_.maps("below.exr").maps.surface == SurfaceLight::removed);

@@ -91,6 +91,7 @@ Result<std::string> describeMaps(const std::string& path, const Session& session
   if (!file.residuals.empty()) further.emplace_back("residual");
   if (!file.shading.empty()) further.emplace_back("shading");
   if (file.maps.free().count() > 0) further.emplace_back("constants");
+  if (!file.maps.coefficients.empty()) further.emplace_back("discrepancy");
   if (!file.constantDeviations.empty()) further.emplace_back("constants_deviation");
   text += line("further parts", wordList(further, ", "));
   CUTIS_TRY(counts, countStates(file.maps.state));
