@@ -187,6 +187,14 @@ Status completeFitOptions(const FitRequest& request, const Profile& profile, Fit
   if (request.fixed.size() == kParameterCount) {
     return usageError("--fix", "all five parameters are held; leave at least one to be estimated");
   }
+  if (options.discrepancy.value_or(false) && profile.discrepancies.of(options.surface) == nullptr) {
+    return usageError("--discrepancy",
+                      "the profile " + inQuotes(profile.name) +
+                          " does not know what its model leaves over where the surface's "
+                          "reflection is " +
+                          surfaceLightName(options.surface) +
+                          "; leave this out, or choose one that does, such as --profile skin2026b");
+  }
   if (!request.priorFile.empty()) {
     CUTIS_TRY(prior, readPrior(request.priorFile, profile.prior));
     options.prior = prior;

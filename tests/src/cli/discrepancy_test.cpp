@@ -78,6 +78,8 @@ class DiscrepancyTest : public QObject {
     refused("fit cap -o x.exr --discrepancy maybe", "on or off");
     refused("fit cap -o x.exr --method three-stage --discrepancy on", "only the method refined");
     refused("fit cap -o x.exr --free oxygenation --discrepancy on", "--free");
+    // Whoever asks for it must not get a fit without it.
+    refused("fit cap -o x.exr --profile skin2026 --discrepancy on", "such as --profile skin2026b");
     refused("spectrum --maps on.exr --at 24", "two numbers");
     refused("spectrum --at 24,16 --params 0.02,0.5,0.02,0.01,0.001", "--maps");
     const auto outside = run_.run("spectrum --maps on.exr --at 48,0");
