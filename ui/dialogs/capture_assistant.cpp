@@ -15,7 +15,6 @@
 #include <QScreen>
 #include <QScrollArea>
 
-#include "src/color/color_space.h"
 #include "src/files/rig_file.h"
 #include "ui/dialogs/format_filters.h"
 #include "ui/theme/theme.h"
@@ -56,28 +55,11 @@ QString textOf(LightClue clue) {
   return {};
 }
 
-// What the numbers mean as light by `encoding`, for the screen.
 QImage imageOf(const PhotographThumbnail& thumbnail, const std::string& encoding) {
-  std::array<TransferCurve, 3> curves;
-  if (const auto space = namedColorSpace(encoding, {}); space && space.value().matrix) {
-    curves = space.value().matrix->curves;
-  }
-  const TransferCurve& screen = builtInColorSpace("sRGB").matrix->curves[0];
-  QImage image(thumbnail.width, thumbnail.height, QImage::Format_RGB32);
-  std::size_t k = 0;
-  for (int y = 0; y < thumbnail.height; ++y) {
-    for (int x = 0; x < thumbnail.width; ++x) {
-      std::array<int, 3> bytes = {};
-      for (std::size_t c = 0; c < 3; ++c) {
-        const float number = thumbnail.rgb[k++];
-        const double light = number > 0.0f ? curves[c].toLight(double{number}) : 0.0;
-        bytes[c] =
-            static_cast<int>(std::lround(255.0 * screen.fromLight(std::clamp(light, 0.0, 1.0))));
-      }
-      image.setPixel(x, y, qRgb(bytes[0], bytes[1], bytes[2]));
-    }
-  }
-  return image;
+  const std::vector<std::uint8_t> bytes = screenBytes(thumbnail, encoding);
+  return QImage(bytes.data(), thumbnail.width, thumbnail.height, 3 * thumbnail.width,
+                QImage::Format_RGB888)
+      .copy();
 }
 
 std::filesystem::path folderOf(const CaptureCandidates& candidates) {
@@ -208,7 +190,7 @@ QLayout* CaptureAssistant::form() {
   form->addRow(tr("&Rig"), rigs_);
   encoding_->addItem(tr("Linear light"), "linear");
   encoding_->addItem(tr("Linear, whatever the files say"), "raw");
-  for (const std::string& name : colorSpaceNames())
+  for (const std::string& name : candidates_.colorSpaces)
     encoding_->addItem(tr("Curve of %1").arg(QString::fromStdString(name)),
                        QString::fromStdString(name));
   encoding_->setCurrentIndex(

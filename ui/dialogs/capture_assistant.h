@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/dialogs
 
 // Asks which photograph was taken under which light, and writes the answer as capture.json. What is
 // proposed is a guess that the user sees and may change. Interface thread only.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/dialogs
 
 // What several photographs are that nobody has described: one capture, as the user then says in the
 // assistant, or pictures that have nothing to do with each other. Interface thread only.

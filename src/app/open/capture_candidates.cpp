@@ -75,11 +75,15 @@ std::string encodingOf(const ImageHeader& header) {
   return followed.space.isNamed && followed.space.matrix ? followed.space.name : "raw";
 }
 
+// Linear where the encoding names no space.
+std::array<TransferCurve, 3> curvesOf(const std::string& encoding) {
+  const auto space = namedColorSpace(encoding, {});
+  return space && space.value().matrix ? space.value().matrix->curves
+                                       : std::array<TransferCurve, 3>();
+}
+
 Eigen::Vector3d meanLight(const PhotographThumbnail& thumbnail, const std::string& encoding) {
-  std::array<TransferCurve, 3> curves;
-  if (const auto space = namedColorSpace(encoding, {}); space && space.value().matrix) {
-    curves = space.value().matrix->curves;
-  }
+  const std::array<TransferCurve, 3> curves = curvesOf(encoding);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < thumbnail.rgb.size(); ++k) {
     const float number = thumbnail.rgb[k];
@@ -203,8 +207,24 @@ Result<CaptureCandidates> inspectPhotographs(const std::vector<fs::path>& files,
               inspectPhotograph(file, context.child(done / count, (done + 1.0) / count)));
     candidates.photographs.push_back(std::move(photograph));
   }
+  candidates.colorSpaces = colorSpaceNames();
   candidates.areOfOneScene = !files.empty() && areOfOneScene(candidates.photographs);
   return candidates;
+}
+
+std::vector<std::uint8_t> screenBytes(const PhotographThumbnail& thumbnail,
+                                      const std::string& encoding) {
+  const std::array<TransferCurve, 3> curves = curvesOf(encoding);
+  const TransferCurve& screen = builtInColorSpace("sRGB").matrix->curves[0];
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(thumbnail.rgb.size());
+  for (std::size_t k = 0; k < thumbnail.rgb.size(); ++k) {
+    const float number = thumbnail.rgb[k];
+    const double light = number > 0.0f ? curves[k % 3].toLight(double{number}) : 0.0;
+    bytes.push_back(static_cast<std::uint8_t>(
+        std::lround(255.0 * screen.fromLight(std::clamp(light, 0.0, 1.0)))));
+  }
+  return bytes;
 }
 
 std::vector<fs::path> photographsIn(const fs::path& folder) {

@@ -3,6 +3,7 @@
 // Photographs that nobody has described yet, looked at to tell whether they are of one scene, and
 // what their numbers are.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -35,11 +36,17 @@ struct CaptureCandidates {
   std::vector<CandidatePhotograph> photographs;
   // All have one size and show the same in light and dark.
   bool areOfOneScene = false;
+  std::vector<std::string> colorSpaces;  // whose curves the numbers may have
 };
 
 // Reads all pixels. Errors are sentences about the first file that is no colour photograph.
 Result<CaptureCandidates> inspectPhotographs(const std::vector<std::filesystem::path>& files,
                                              const JobContext& context);
+
+// What the numbers mean as light, by an encoding as above, for the screen: red, green and blue in
+// sRGB, row by row.
+std::vector<std::uint8_t> screenBytes(const PhotographThumbnail& thumbnail,
+                                      const std::string& encoding);
 
 // The images that lie in a folder, in the order of their names; masks by their names are left out.
 std::vector<std::filesystem::path> photographsIn(const std::filesystem::path& folder);

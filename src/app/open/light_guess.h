@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/open
 
 // Which photograph was taken under which light of a rig, as far as names and colours tell. A guess:
 // it is shown to people before anything is made of it.
