@@ -53,6 +53,9 @@ EditPanel::EditPanel(QWidget* parent)
   foot->addStretch(1);
   foot->addWidget(reset_);
   column->addLayout(foot);
+  // The eye goes down the sliders to the foot.
+  setTabOrder(sliders_[kHaemoglobinEpidermal]->lastInTabOrder(), link_);
+  setTabOrder(link_, reset_);
 
   connect(link_, &QCheckBox::toggled, this, &EditPanel::linkToggled);
   connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
@@ -66,6 +69,7 @@ void EditPanel::addSlider(Parameter parameter, const QString& toolTip) {
           [this, parameter](double factor, bool stillMoving) {
             sliderMoved(parameter, factor, stillMoving);
           });
+  connect(slider, &ParameterSlider::stepEnded, this, &EditPanel::stepEnded);
 }
 
 void EditPanel::sliderMoved(Parameter parameter, double factor, bool stillMoving) {
@@ -87,6 +91,7 @@ void EditPanel::linkToggled(bool linked) {
   sliders_[kHaemoglobinEpidermal]->setValue(factor);
   updateReset();
   Q_EMIT factorChanged(kHaemoglobinEpidermal, factor, false);
+  Q_EMIT stepEnded();
 }
 
 void EditPanel::setFactors(const std::array<double, kParameterCount>& factors) {
@@ -109,6 +114,11 @@ std::array<double, kParameterCount> EditPanel::factors() const {
 
 bool EditPanel::haemoglobinsLinked() const {
   return link_->isChecked();
+}
+
+void EditPanel::setResting(const QString& why) {
+  for (ParameterSlider* slider : sliders_)
+    slider->setResting(why);
 }
 
 void EditPanel::updateReset() {
