@@ -7,6 +7,10 @@
 #include "ui/docks/edit_panel.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/fit_panel.h"
+#include "ui/docks/history_controller.h"
+#include "ui/docks/history_panel.h"
+#include "ui/docks/info_controller.h"
+#include "ui/docks/info_panel.h"
 #include "ui/docks/light_catalogue.h"
 #include "ui/docks/light_controller.h"
 #include "ui/docks/light_panel.h"
@@ -40,6 +44,18 @@ QWidget* makeEdit(const Editor& editor) {
   auto* panel = new EditPanel;
   editor.edits.attach(*panel);
   return new PanelScroll(panel);
+}
+
+QWidget* makeHistory(const Editor& editor) {
+  auto* panel = new HistoryPanel;
+  new HistoryController(editor.document, *panel, panel);
+  return panel;
+}
+
+QWidget* makeInfo(const Editor& editor) {
+  auto* panel = new InfoPanel;
+  new InfoController(editor.document, editor.server, editor.exports, *panel, panel);
+  return panel;
 }
 
 QWidget* makeLight(const Editor& editor) {
@@ -93,6 +109,16 @@ std::vector<DockDescription> dockCatalogue(const Editor& editor) {
        .title = tr("&Fit"),
        .shortcut = Qt::Key_F8,
        .makePanel = [=] { return makeFit(editor); }},
+      {.id = "history",
+       .title = tr("&History"),
+       .shortcut = QKeySequence(tr("Ctrl+H")),
+       .shownAtFirst = false,
+       .makePanel = [=] { return makeHistory(editor); }},
+      {.id = "info",
+       .title = tr("&Info"),
+       .shortcut = QKeySequence(tr("Ctrl+I")),
+       .shownAtFirst = false,
+       .makePanel = [=] { return makeInfo(editor); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),
        .area = Qt::BottomDockWidgetArea,
