@@ -34,6 +34,13 @@ QMenu& submenuOf(QMenu& menu, const QString& title) {
   return *submenu;
 }
 
+// "Save && close" is called "Save & close".
+QString withoutMnemonics(QString text) {
+  text.replace("&&", QChar(0));
+  text.remove('&');
+  return text.replace(QChar(0), '&');
+}
+
 QString objectionTo(const CommandDescription& command) {
   return command.objection ? command.objection() : QString();
 }
@@ -66,6 +73,16 @@ void CommandRegistry::addAction(const CommandDescription& command) {
   connect(action, &QAction::triggered, this, [this, id = command.id] { run(id); });
   entries_[command.id] = {commands_.size() - 1, action};
   refresh(command, *action);
+}
+
+QString CommandRegistry::placeOf(const CommandDescription& command) {
+  const QString menu = withoutMnemonics(titleOf(command.menu));
+  if (command.submenu.isEmpty()) return menu;
+  return QString("%1 › %2").arg(menu, withoutMnemonics(command.submenu));
+}
+
+QString CommandRegistry::nameOf(const CommandDescription& command) const {
+  return withoutMnemonics(action(command.id)->text());
 }
 
 QAction* CommandRegistry::action(const QString& id) const {
