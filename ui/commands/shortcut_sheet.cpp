@@ -86,9 +86,7 @@ void ShortcutSheet::open() {
   query_->clear();
   fill();
   query_->setFocus();
-  show();
-  raise();
-  activateWindow();
+  QDialog::open();
 }
 
 QTreeWidgetItem* ShortcutSheet::group(const QString& title) {

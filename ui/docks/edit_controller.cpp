@@ -6,6 +6,7 @@
 #include <QScopedValueRollback>
 
 #include "ui/docks/edit_panel.h"
+#include "ui/docks/preset_controller.h"
 #include "ui/view/view_controller.h"
 #include "ui/widgets/parameter_texts.h"
 
@@ -38,6 +39,7 @@ void EditController::attach(EditPanel& panel) {
   connect(&panel, &EditPanel::stepEnded, this, [this] { document_.endGroup(); });
   connect(&panel, &EditPanel::resetWanted, this, &EditController::reset);
   connect(this, &EditController::factorsChanged, &panel, &EditPanel::setFactors);
+  connect(this, &EditController::furtherEditsChanged, &panel, &EditPanel::setFurtherEdits);
   const auto rest = [this, &panel] { panel.setResting(objection()); };
   connect(&document_, &Document::opened, &panel, rest);
   connect(&document_, &Document::fitted, &panel, rest);
@@ -84,6 +86,7 @@ void EditController::showFactors() {
       factors[k] = edits.front().parameters[k].scale;
   }
   Q_EMIT factorsChanged(factors);
+  Q_EMIT furtherEditsChanged(!slidersShow(edits));
 }
 
 }  // namespace cutis

@@ -32,6 +32,8 @@ class EditController : public QObject {
  Q_SIGNALS:
   // Indexed by Parameter.
   void factorsChanged(const std::array<double, cutis::kParameterCount>& factors);
+  // Whether there are edits that factors do not show.
+  void furtherEditsChanged(bool any);
 
  private:
   void change(int parameter, double factor, bool stillMoving);

@@ -9,6 +9,7 @@
 #include "core/skin/profile/parameter.h"
 
 class QCheckBox;
+class QMenu;
 class QPushButton;
 
 namespace cutis {
@@ -27,6 +28,10 @@ class EditPanel : public QWidget {
   bool haemoglobinsLinked() const;
   // Why nothing can be edited now, which the sliders' tool tips say; empty if it can.
   void setResting(const QString& why);
+  // There are edits that no slider shows, which Reset takes away as well.
+  void setFurtherEdits(bool any);
+  // What the button "Presets" opens; the panel becomes its owner.
+  void setPresets(QMenu* menu);
 
  Q_SIGNALS:
   // By the user; `parameter` is a Parameter. While a slider is dragged stillMoving is true, and the
@@ -45,7 +50,9 @@ class EditPanel : public QWidget {
 
   std::array<ParameterSlider*, kParameterCount> sliders_{};
   QCheckBox* link_;
+  QPushButton* presets_;
   QPushButton* reset_;
+  bool furtherEdits_ = false;
 };
 
 }  // namespace cutis

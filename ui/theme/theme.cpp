@@ -263,6 +263,8 @@ QLineEdit:focus { border: 2px solid @accent; padding: 0 3px; }
 QLineEdit:disabled { color: #787878; border-color: @line; }
 QLineEdit[refused="true"] { border: 2px solid @error; padding: 0 3px; }
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit { border: none; padding: 0; }
+QListView, QTreeView { border: 2px solid transparent; }
+QListView:focus, QTreeView:focus { border-color: @accent; }
 QTabBar { qproperty-drawBase: 0; }
 QTabBar::tab { color: @dim; background: transparent; border: none;
   border-bottom: 2px solid transparent; padding: 4px 12px; }
