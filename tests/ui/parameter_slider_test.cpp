@@ -231,6 +231,15 @@ class ParameterSliderTest : public test::UiTest {
     QVERIFY(!field_->property("refused").toBool());
   }
 
+  // So that what is typed after a click replaces the number.
+  void aClickSelectsTheNumber() {
+    slider_->setFocus();
+    QTest::mouseClick(field_, Qt::LeftButton, {}, field_->rect().center());
+    QTest::keyClicks(field_, "1,5");
+    QTest::keyClick(field_, Qt::Key_Return);
+    EXPECT_NEAR(widget_->value(), 1.5, 0);
+  }
+
   void escapeBringsTheNumberBack() {
     type("abc");
     QTest::keyClick(field_, Qt::Key_Return);

@@ -6,6 +6,9 @@
 
 #include <QCheckBox>
 #include <QImage>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include "tests/support/expect.h"
@@ -61,6 +64,28 @@ class ThemeTest : public test::UiTest {
       EXPECT_AT_MOST(3, contrast(tones.control, ground));
       EXPECT_AT_MOST(3, contrast(tones.accent, ground));
     }
+  }
+
+  void theWheelNeedsTheKeyboard() {
+    QWidget window;
+    auto* number = new QSpinBox(&window);
+    auto* other = new QLineEdit(&window);
+    other->move(0, 60);
+    window.show();
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const auto turnWheel = [number] {
+      const QPointF place = number->rect().center();
+      QWheelEvent event(place, number->mapToGlobal(place), {}, {0, 120}, Qt::NoButton,
+                        Qt::NoModifier, Qt::NoScrollPhase, false);
+      QApplication::sendEvent(number, &event);
+    };
+    other->setFocus();
+    turnWheel();
+    QCOMPARE(number->value(), 0);
+    number->setFocus();
+    turnWheel();
+    QCOMPARE(number->value(), 1);
   }
 
   // As they are drawn.

@@ -22,6 +22,7 @@ constexpr int kPaletteWidth = 560;
 constexpr int kMostPaletteRows = 9;
 constexpr int kPaletteRowsPerPage = 8;
 constexpr int kFromTop = 48;
+constexpr int kListEdge = 2;  // of the style sheet
 
 }  // namespace
 
@@ -34,8 +35,7 @@ CommandPalette::CommandPalette(CommandRegistry& commands, QWidget& window)
       nothing_(new QLabel(tr("No command is called that."), this)) {
   setAccessibleName(tr("Command palette"));
   setAutoFillBackground(true);
-  setFrameShape(QFrame::Box);
-  setLineWidth(1);
+  setObjectName("palette");
   query_->setAccessibleName(tr("Command"));
   query_->setPlaceholderText(tr("Type what you want to do"));
   query_->setClearButtonEnabled(true);
@@ -96,7 +96,8 @@ void CommandPalette::placeInWindow() {
   list_->setVisible(rows > 0);
   if (rows > 0) {
     const int room = window_.height() - 2 * kFromTop - query_->sizeHint().height();
-    list_->setFixedHeight(std::min(rows * list_->sizeHintForRow(0), std::max(room, 80)));
+    list_->setFixedHeight(
+        std::min(rows * list_->sizeHintForRow(0) + 2 * kListEdge, std::max(room, 80)));
   }
   const int width = std::min(kPaletteWidth, window_.width() - 2 * theme::kDoubleSpace);
   setFixedWidth(width);

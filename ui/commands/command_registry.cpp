@@ -64,12 +64,7 @@ void CommandRegistry::addAction(const CommandDescription& command) {
   action->setCheckable(command.isOn != nullptr);
   // Menus of other systems would guess a place from the text: "About …", "Quit".
   action->setMenuRole(QAction::NoRole);
-  if (command.keyboardOf != nullptr) {
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    command.keyboardOf->addAction(action);
-  } else {
-    window_.addAction(action);
-  }
+  window_.addAction(action);
   connect(action, &QAction::triggered, this, [this, id = command.id] { run(id); });
   entries_[command.id] = {commands_.size() - 1, action};
   refresh(command, *action);

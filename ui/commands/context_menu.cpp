@@ -6,23 +6,29 @@
 
 namespace cutis {
 
+QMenu* commandMenu(QWidget& widget, CommandRegistry& commands, const QStringList& ids) {
+  auto* menu = new QMenu(&widget);
+  menu->setToolTipsVisible(true);
+  QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &commands, ids] {
+    commands.refresh();
+    menu->clear();
+    for (const QString& id : ids) {
+      if (id.isEmpty()) {
+        menu->addSeparator();
+      } else if (QAction* action = commands.action(id)) {
+        menu->addAction(action);
+      }
+    }
+  });
+  return menu;
+}
+
 void giveContextMenu(QWidget& widget, CommandRegistry& commands, const QStringList& ids) {
+  QMenu* menu = commandMenu(widget, commands, ids);
   widget.setContextMenuPolicy(Qt::CustomContextMenu);
-  QObject::connect(&widget, &QWidget::customContextMenuRequested, &widget,
-                   [&widget, &commands, ids](const QPoint& place) {
-                     commands.refresh();
-                     auto* menu = new QMenu(&widget);
-                     menu->setAttribute(Qt::WA_DeleteOnClose);
-                     menu->setToolTipsVisible(true);
-                     for (const QString& id : ids) {
-                       if (id.isEmpty()) {
-                         menu->addSeparator();
-                       } else if (QAction* action = commands.action(id)) {
-                         menu->addAction(action);
-                       }
-                     }
-                     menu->popup(widget.mapToGlobal(place));
-                   });
+  QObject::connect(
+      &widget, &QWidget::customContextMenuRequested, menu,
+      [&widget, menu](const QPoint& place) { menu->popup(widget.mapToGlobal(place)); });
 }
 
 }  // namespace cutis

@@ -28,6 +28,7 @@ EditPanel::EditPanel(QWidget* parent)
   reset_->setToolTip(tr("Back to the skin as it was photographed; this can be undone"));
   reset_->setEnabled(false);
   presets_->setToolTip(tr("Whole sets of edits in one step; this can be undone"));
+  presets_->setProperty("menu", true);
   presets_->hide();
   link_->setChecked(true);
   link_->setToolTip(tr("Move both haemoglobins together, as a flush does"));

@@ -9,6 +9,10 @@ namespace cutis {
 HistoryPanel::HistoryPanel(QWidget* parent) : QListWidget(parent) {
   setAccessibleName(tr("History"));
   setFrameShape(QFrame::NoFrame);
+  setViewportMargins(theme::kSpace, 0, theme::kSpace, theme::kHalfSpace);
+  QPalette neutral = palette();
+  neutral.setColor(QPalette::Base, theme::tones().panel);
+  setPalette(neutral);
   setSelectionMode(SingleSelection);
   setUniformItemSizes(true);
   setTextElideMode(Qt::ElideRight);

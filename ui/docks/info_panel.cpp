@@ -15,6 +15,10 @@ namespace cutis {
 InfoPanel::InfoPanel(QWidget* parent) : QListWidget(parent) {
   setAccessibleName(tr("Information"));
   setFrameShape(QFrame::NoFrame);
+  setViewportMargins(theme::kSpace, 0, theme::kSpace, theme::kHalfSpace);
+  QPalette neutral = palette();
+  neutral.setColor(QPalette::Base, theme::tones().panel);
+  setPalette(neutral);
   setSelectionMode(ExtendedSelection);
   setWordWrap(true);
   setTextElideMode(Qt::ElideNone);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QEvent>
 #include <QFont>
 #include <QFormLayout>
 #include <QPainter>
@@ -214,6 +216,8 @@ class Style : public QProxyStyle {
     return ofTitle ? titleIcon(which) : QProxyStyle::standardIcon(which, option, widget);
   }
 
+  using QProxyStyle::polish;
+
   int pixelMetric(PixelMetric metric, const QStyleOption* option,
                   const QWidget* widget) const override {
     if (metric == PM_DockWidgetSeparatorExtent) return kSeparator;
@@ -223,12 +227,29 @@ class Style : public QProxyStyle {
     return QProxyStyle::pixelMetric(metric, option, widget);
   }
 
+  // The wheel scrolls past fields of numbers, too; it steps the one that has the keyboard.
+  void polish(QWidget* widget) override {
+    QProxyStyle::polish(widget);
+    if (qobject_cast<QAbstractSpinBox*>(widget) == nullptr) return;
+    widget->setFocusPolicy(Qt::StrongFocus);
+    widget->installEventFilter(this);
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool passes =
+        event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus();
+    if (passes) return QProxyStyle::eventFilter(watched, event);
+    event->ignore();
+    return true;
+  }
+
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* result) const override {
     // The wheel scrolls the panel and chooses nothing on its way.
     if (hint == SH_ComboBox_AllowWheelScrolling) return 0;
     // A shadow below what is disabled reads as blur.
     if (hint == SH_EtchDisabledText || hint == SH_DitherDisabledText) return 0;
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     // Lists follow the arrow keys and one click everywhere.
     if (hint == SH_ItemView_ActivateItemOnSingleClick) return 0;
     return QProxyStyle::styleHint(hint, option, widget, result);
@@ -263,6 +284,10 @@ QLineEdit:focus { border: 2px solid @accent; padding: 0 3px; }
 QLineEdit:disabled { color: #787878; border-color: @line; }
 QLineEdit[refused="true"] { border: 2px solid @error; padding: 0 3px; }
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit { border: none; padding: 0; }
+QPushButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right;
+  right: 6px; }
+QPushButton[menu="true"] { padding-right: 24px; }
+QFrame#palette { border: 1px solid @control; border-radius: 4px; }
 QListView, QTreeView { border: 2px solid transparent; }
 QListView:focus, QTreeView:focus { border-color: @accent; }
 QTabBar { qproperty-drawBase: 0; }

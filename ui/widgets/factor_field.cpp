@@ -1,6 +1,7 @@
 #include "ui/widgets/factor_field.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QStyle>
@@ -101,7 +102,15 @@ void FactorField::keyPressEvent(QKeyEvent* event) {
 
 void FactorField::focusInEvent(QFocusEvent* event) {
   QLineEdit::focusInEvent(event);
-  if (event->reason() != Qt::PopupFocusReason && !isRefused_) selectAll();
+  if (event->reason() == Qt::PopupFocusReason || isRefused_) return;
+  selectOnRelease_ = event->reason() == Qt::MouseFocusReason;
+  selectAll();
+}
+
+// A press places the cursor; what has been dragged over stays selected.
+void FactorField::mouseReleaseEvent(QMouseEvent* event) {
+  QLineEdit::mouseReleaseEvent(event);
+  if (std::exchange(selectOnRelease_, false) && !hasSelectedText()) selectAll();
 }
 
 void FactorField::focusOutEvent(QFocusEvent* event) {

@@ -33,6 +33,7 @@ class FactorField : public QLineEdit {
   void keyPressEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
   bool isBeingEdited() const;
@@ -44,6 +45,7 @@ class FactorField : public QLineEdit {
   SliderScale scale_;
   double number_;
   bool isRefused_ = false;
+  bool selectOnRelease_ = false;  // the click that brought the keyboard selects the number
 };
 
 }  // namespace cutis

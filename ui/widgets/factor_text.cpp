@@ -30,7 +30,7 @@ QString factorText(double factor) {
 }
 
 QString limitsText(const SliderScale& scale) {
-  return tr("%1 to %2, or %3 % to %4 %")
+  return tr("%1 to %2 (%3 % to %4 %)")
       .arg(scale.minimum)
       .arg(scale.maximum)
       .arg(100 * scale.minimum)
@@ -49,16 +49,16 @@ ReadFactor readFactor(const QString& text, const SliderScale& scale) {
   if (isPercent) rest = rest.chopped(1).trimmed();
   const std::optional<double> number = numberIn(rest);
   if (!number) {
-    return {
-        scale.neutral,
-        typed.isEmpty()
-            ? tr("There is no number; write %1, or press Esc.").arg(limitsText(scale))
-            : tr("“%1” is not a number; write %2, or press Esc.").arg(typed, limitsText(scale))};
+    return {scale.neutral,
+            typed.isEmpty()
+                ? tr("There is no number; write one from %1, or press Esc.").arg(limitsText(scale))
+                : tr("“%1” is not a number; write one from %2, or press Esc.")
+                      .arg(typed, limitsText(scale))};
   }
   const double factor = isPercent ? *number / 100 : *number;
   if (factor < scale.minimum || factor > scale.maximum) {
-    return {scale.neutral,
-            tr("%1 is outside the limits; write %2, or press Esc.").arg(typed, limitsText(scale))};
+    return {scale.neutral, tr("%1 is outside the limits; write a number from %2, or press Esc.")
+                               .arg(typed, limitsText(scale))};
   }
   return {factor, {}};
 }

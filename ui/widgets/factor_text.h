@@ -20,7 +20,7 @@ struct ReadFactor {
 // lies outside the scale meets an objection that names the limits.
 ReadFactor readFactor(const QString& text, const SliderScale& scale);
 
-// "0 to 3, or 0 % to 300 %"
+// "0 to 3 (0 % to 300 %)"
 QString limitsText(const SliderScale& scale);
 
 }  // namespace cutis
