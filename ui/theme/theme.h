@@ -24,7 +24,8 @@ struct Tones {
   QColor field;     // what is typed into, plots, thumbnails: darker than the panel
   QColor raised;    // buttons
   QColor line;      // separators and axes
-  QColor text;
+  QColor control;   // grooves, check boxes, edges of fields: at least 3 : 1 on panel, field, raised
+  QColor text;      // at least 4.5 : 1 on panel, field and raised, as all texts
   QColor dimText;   // secondary text, at least 4.5 : 1 on panel and field
   QColor accent;    // focus, selection, progress
   QColor original;  // curve of the original skin
