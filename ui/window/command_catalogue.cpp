@@ -8,6 +8,7 @@
 #include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/about.h"
 #include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/fit_options_dialog.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
@@ -253,6 +254,13 @@ Rows fitCommands(const Editor& editor) {
        .toolTip = tr("A profile of the skin model from a JSON file"),
        .shortcuts = {QKeySequence(tr("Ctrl+Shift+L"))},
        .run = [editor] { editor.page().fit().chooseProfile(editor.window); },
+       .objection = objection},
+      {.id = "fit.options",
+       .menu = Menu::fit,
+       .text = tr("Fit &options…"),
+       .toolTip = tr("Noise, prior, parameters that are held, constants found per pixel"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+F"))},
+       .run = [editor] { askForFitOptions(editor.document(), editor.window); },
        .objection = objection},
       {.id = "fit.train",
        .menu = Menu::fit,

@@ -81,6 +81,8 @@ QWidget* makeFit(DocumentPage& page, CommandRegistry& commands) {
   page.fit().attach(*panel);
   QObject::connect(panel, &FitPanel::loadWanted, panel,
                    [&commands] { commands.run("fit.loadProfile"); });
+  QObject::connect(panel, &FitPanel::optionsWanted, panel,
+                   [&commands] { commands.run("fit.options"); });
   QObject::connect(panel, &FitPanel::trainingWanted, panel,
                    [&commands] { commands.run("fit.train"); });
   auto* scroll = new PanelScroll(panel);

@@ -212,8 +212,9 @@ void Document::fit(const FitChoice& choice, bool chooseExposure, Scene scene,
         return Cancelled{};
       }
     }
-    return fitSource(model, scene.source, {fitOptions(choice), chooseExposure}, engine_, store_,
-                     context, observerOf(scene, job));
+    CUTIS_TRY(options, fitOptions(choice, model->profile()));
+    return fitSource(model, scene.source, {options, chooseExposure}, engine_, store_, context,
+                     observerOf(scene, job));
   }();
   if (fitted.failed()) {
     job.post([this, sentence = sentenceOf(fitted.error())] {
@@ -375,6 +376,8 @@ std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const doub
                        !choice_.shading && scene_->maps.free().count() == 0;
   if (!isKnown) return std::nullopt;
   const Measurements& measurements = scene_->source->measurements;
+  const auto options = fitOptions(choice_, scene_->model->profile());
+  if (!options) return std::nullopt;
   std::vector<double> channels;
   for (std::size_t k = 0; k < measurements.channels.size(); ++k) {
     std::array<float, 1> value;
@@ -382,7 +385,7 @@ std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const doub
     channels.push_back(double{value[0]});
   }
   const SpectrumPosterior posterior(*scene_->model, measurements.rig,
-                                    suitedTo(measurements, fitOptions(choice_)));
+                                    suitedTo(measurements, options.value()));
   // While a fit with another profile runs, the maps are still those of the last one.
   if (values.size() != posterior.valueCount()) return std::nullopt;
   return posterior.deviation(channels, values);
