@@ -10,7 +10,6 @@
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
 #include "src/app/project/manifest.h"
-#include "src/app/project/project_save.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"
 
@@ -63,13 +62,7 @@ void Document::openSample() {
 
 void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
   const QString name = QString::fromStdString(path.filename().string());
-  if (isProjectFile(path)) {
-    return startOpening(name, path, [this, path](const JobContext& context) -> Result<Opened> {
-      removeLeftovers(path);
-      CUTIS_TRY(project, readProject(path, context.notice));
-      return openedProject(project, path, context);
-    });
-  }
+  if (isProjectFile(path)) return openProject(std::filesystem::absolute(path).lexically_normal());
   const ProjectSource source = {SourceKind::image,
                                 std::filesystem::absolute(path).lexically_normal(),
                                 choice.source,

@@ -191,6 +191,7 @@ class Document : public QObject {
 
   // path: empty for the sample.
   void startOpening(const QString& name, const std::filesystem::path& path, Opener open);
+  void openProject(const std::filesystem::path& path);
   // On the thread of the job.
   Result<Opened> openedSource(ProjectSource source, const FitChoice& choice,
                               const JobContext& context);

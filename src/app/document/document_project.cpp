@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "src/app/document/document.h"
+#include "src/app/project/manifest.h"
 #include "src/app/project/project_save.h"
 #include "src/files/edits/edits_file.h"
 #include "src/files/profiles/profile_file.h"
@@ -25,6 +26,15 @@ std::string textOf(const EditStack& edits) {
 }
 
 }  // namespace
+
+void Document::openProject(const fs::path& path) {
+  startOpening(textOf(path.filename()), path,
+               [this, path](const JobContext& context) -> Result<Opened> {
+                 removeLeftovers(path);
+                 CUTIS_TRY(project, readProject(path, context.notice));
+                 return openedProject(project, path, context);
+               });
+}
 
 Result<Document::Opened> Document::openedProject(const Project& project, const fs::path& path,
                                                  const JobContext& context) {
@@ -141,7 +151,8 @@ std::function<Result<MapsFile>()> Document::mapsFile() const {
   };
 }
 
-void Document::save(const fs::path& path) {
+void Document::save(const fs::path& place) {
+  const fs::path path = fs::absolute(place).lexically_normal();
   if (isSaving()) {
     saveNext_ = path;
     return;

@@ -129,8 +129,6 @@ void removeLeftovers(const fs::path& project) {
   std::error_code ignored;
   for (const fs::path& partial : abandonedBeside(project))
     fs::remove(partial, ignored);
-  for (const fs::path& partial : abandonedBeside(folder / kMapsName))
-    fs::remove_all(partial, ignored);
   const fs::path named = ownMaps(project);
   for (const fs::path& note : abandonedBeside(folder / kChangeName)) {
     std::ifstream stream(note);
@@ -141,6 +139,8 @@ void removeLeftovers(const fs::path& project) {
     }
     fs::remove(note, ignored);
   }
+  for (const fs::path& partial : abandonedIn(folder))
+    fs::remove(partial, ignored);
   fs::remove(folder, ignored);
 }
 
