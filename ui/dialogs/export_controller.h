@@ -40,6 +40,10 @@ class ExportController : public QObject {
   // What is not yet written whole is not written.
   void stop();
 
+ Q_SIGNALS:
+  // What was clipped or left out on the way, or why nothing was written.
+  void noticed(const QString& sentence, bool isError);
+
  private:
   // what: made in the background.
   void write(const QString& path, const std::function<Result<Exported>()>& what);

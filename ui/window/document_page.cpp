@@ -6,12 +6,14 @@
 #include <QVBoxLayout>
 
 #include "src/app/document/autosave.h"
+#include "ui/commands/context_menu.h"
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/save_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/light_controller.h"
+#include "ui/docks/preset_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
@@ -33,6 +35,7 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
       notice_(new NoticeBar(this)),
       views_(std::make_unique<ViewController>(*document_, *server_, *viewport_)),
       edits_(std::make_unique<EditController>(*document_, *views_)),
+      presets_(std::make_unique<PresetController>(*document_, *views_, progress, this)),
       light_(std::make_unique<LightController>(*server_, *views_)),
       fit_(std::make_unique<FitController>(*document_)),
       training_(std::make_unique<TrainingController>(*document_, engine, jobs_, this)),
@@ -48,6 +51,10 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
   connect(document_.get(), &Document::opened, this,
           [this] { showProjectView(*this, document_->view()); });
   connectSource();
+  giveContextMenu(
+      *viewport_, commands,
+      {"view.wholePicture", "view.oneToOne", "view.zoomIn", "view.zoomOut", "", "view.photograph",
+       "view.albedo", "view.skin", "", "edit.copyEdits", "edit.pasteEdits", "", "file.export"});
 }
 
 DocumentPage::~DocumentPage() {

@@ -24,6 +24,7 @@ class ExportController;
 class FitController;
 class LightController;
 class NoticeBar;
+class PresetController;
 class ProgressStrip;
 class SaveController;
 class TrainingController;
@@ -74,6 +75,7 @@ class DocumentPage : public QWidget {
   Workspace& workspace() { return *workspace_; }
   ViewController& views() { return *views_; }
   EditController& edits() { return *edits_; }
+  PresetController& presets() { return *presets_; }
   LightController& light() { return *light_; }
   FitController& fit() { return *fit_; }
   TrainingController& training() { return *training_; }
@@ -95,6 +97,7 @@ class DocumentPage : public QWidget {
   // They go before what they work on.
   std::unique_ptr<ViewController> views_;
   std::unique_ptr<EditController> edits_;
+  std::unique_ptr<PresetController> presets_;
   std::unique_ptr<LightController> light_;
   std::unique_ptr<FitController> fit_;
   std::unique_ptr<TrainingController> training_;

@@ -1,5 +1,8 @@
 #include "ui/window/project_view.h"
 
+#include <array>
+#include <utility>
+
 #include "ui/docks/light_controller.h"
 #include "ui/view/view_catalogue.h"
 #include "ui/view/view_controller.h"
@@ -7,6 +10,14 @@
 #include "ui/window/document_page.h"
 
 namespace cutis {
+namespace {
+
+constexpr std::array<std::pair<const char*, ChromaticAdaptation>, 3> kAdaptations = {
+    {{"none", ChromaticAdaptation::none},
+     {"bradford", ChromaticAdaptation::bradford},
+     {"cat16", ChromaticAdaptation::cat16}}};
+
+}  // namespace
 
 ProjectView projectViewOf(DocumentPage& page) {
   ProjectView view;
@@ -19,6 +30,9 @@ ProjectView projectViewOf(DocumentPage& page) {
   const LightChoice& light = page.light().light();
   view.light = light.light.toStdString();
   view.observer = light.observer.toStdString();
+  for (const auto& [name, adaptation] : kAdaptations) {
+    if (adaptation == light.adaptation) view.adaptation = name;
+  }
   return view;
 }
 
@@ -28,6 +42,9 @@ void showProjectView(DocumentPage& page, const ProjectView& view) {
     light.light = QString::fromStdString(view.light);
     light.observer = QString::fromStdString(view.observer);
     light.kind = LightChoice::Kind::colour;
+    for (const auto& [name, adaptation] : kAdaptations) {
+      if (name == view.adaptation) light.adaptation = adaptation;
+    }
     page.light().setLight(light);
   }
   if (const auto kind = viewById(QString::fromStdString(view.view))) page.views().show(*kind);

@@ -91,6 +91,7 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
 
 void Document::startOpening(const QString& name, const std::filesystem::path& path, Opener open) {
   jobs_.cancel(opening_);
+  Q_EMIT openingStarted();
   opening_ = jobs_.start(
       tr("Open %1").arg(name), [this, path, open = std::move(open)](const JobRunner::Handle& job) {
         auto opened = open(contextOf(job));
@@ -280,7 +281,10 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
 
 void Document::backToLastFit() {
   cancelFit();
-  if (!lastFit_) return;
+  if (!lastFit_) {
+    Q_EMIT fitChoiceChanged();
+    return;
+  }
   choice_ = lastFit_->choice;
   statistics_ = lastFit_->statistics;
   fitted_ = true;
@@ -320,6 +324,12 @@ void Document::undo() {
 void Document::redo() {
   if (!history_.canRedo()) return;
   history_.redo();
+  setEdits(false);
+}
+
+void Document::goToStep(std::size_t step) {
+  if (step >= history_.stepCount() || step == history_.position()) return;
+  history_.goTo(step);
   setEdits(false);
 }
 

@@ -75,6 +75,8 @@ class Document : public QObject {
   QString name() const { return name_; }
   // Whether the fit is complete.
   bool isFitted() const { return fitted_; }
+  // Whether a fit is under way. Neither fitted nor fitting: the first one was cancelled.
+  bool isFitting() const { return jobs_.isRunning(fitting_); }
   // The files this was made from; never written to.
   const std::vector<std::filesystem::path>& sourceFiles() const { return sourceFiles_; }
   // Precondition: isOpen().
@@ -124,6 +126,8 @@ class Document : public QObject {
   void endGroup() { history_.closeGroup(); }
   void undo();
   void redo();
+  // Undoes or redoes up to a step of the history; one that is not there is ignored.
+  void goToStep(std::size_t step);
   const UndoHistory& history() const { return history_; }
 
   // The spectra of a pixel, original and edited, computed exactly, with the constants that were
@@ -143,6 +147,9 @@ class Document : public QObject {
   std::optional<ParameterVector> editedParametersAt(int x, int y) const;
 
  Q_SIGNALS:
+  // What is said from now on is about what is being opened. It ends with opened() or with
+  // openingFailed(), or with neither where it is cancelled.
+  void openingStarted();
   // Something else is open now; its maps may still be empty.
   void opened();
   // The maps have new values. At most 20 times a second.
@@ -150,6 +157,7 @@ class Document : public QObject {
   // Maps, profile and what depends on the profile are others; size and edits are as they were.
   void sceneReplaced();
   void fitted();
+  // Or the first fit was cancelled, which leaves the choice as it is.
   void fitChoiceChanged();
   // There is no network for the lights and the profile; another method is used instead.
   void networkMissing();
