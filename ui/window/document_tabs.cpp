@@ -98,8 +98,11 @@ void DocumentTabs::open(const std::filesystem::path& path) {
 }
 
 void DocumentTabs::openAs(const std::filesystem::path& path, const OpenChoice& choice) {
-  DocumentPage& page = current().isBlank() ? current() : makePage();
-  page.open(path, choice);
+  pageToOpenIn().open(path, choice);
+}
+
+DocumentPage& DocumentTabs::pageToOpenIn() {
+  return current().isBlank() ? current() : makePage();
 }
 
 int DocumentTabs::tabOf(const DocumentPage& page) const {
@@ -133,12 +136,16 @@ void DocumentTabs::refreshTitles() {
   for (int tab = 0; tab < bar_->count(); ++tab) {
     const Document& document = pageOf(tab).document();
     // A single & would be taken as a mnemonic.
-    bar_->setTabText(tab, document.name().replace("&", "&&"));
+    const QString text = document.name().replace("&", "&&") + (document.isModified() ? "*" : "");
+    // A drag of a slider asks for every frame.
+    if (bar_->tabText(tab) != text) bar_->setTabText(tab, text);
     bar_->tabButton(tab, QTabBar::RightSide)
         ->setAccessibleName(tr("Close %1").arg(document.name()));
     const auto& files = document.sourceFiles();
-    bar_->setTabToolTip(
-        tab, files.empty() ? document.name() : QString::fromStdString(files.front().string()));
+    std::filesystem::path place = document.projectPath();
+    if (place.empty() && !files.empty()) place = files.front();
+    bar_->setTabToolTip(tab,
+                        place.empty() ? document.name() : QString::fromStdString(place.string()));
   }
 }
 
