@@ -7,6 +7,7 @@
 #include <QEvent>
 #include <QFont>
 #include <QFormLayout>
+#include <QLabel>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmap>
@@ -352,6 +353,12 @@ QFont headingFont(const QWidget& widget) {
   QFont font = widget.font();
   font.setBold(true);
   return font;
+}
+
+void dimText(QLabel& label) {
+  QPalette palette = label.palette();
+  palette.setColor(QPalette::WindowText, tones().dimText);
+  label.setPalette(palette);
 }
 
 void drawFocusRing(QPainter& painter, const QRectF& rect) {

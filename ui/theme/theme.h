@@ -12,6 +12,7 @@
 class QApplication;
 class QFont;
 class QFormLayout;
+class QLabel;
 class QPainter;
 class QWidget;
 
@@ -54,6 +55,9 @@ void alignForm(QFormLayout& form);
 // Derived from the widget's own font, so that a larger system font carries through.
 QFont smallFont(const QWidget& widget);
 QFont headingFont(const QWidget& widget);
+
+// In the tone of secondary text, whatever the label had before.
+void dimText(QLabel& label);
 
 // What every control that draws itself shows when it has the keyboard.
 void drawFocusRing(QPainter& painter, const QRectF& rect);

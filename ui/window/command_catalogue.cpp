@@ -52,6 +52,13 @@ Rows fileCommands(const Editor& editor) {
        .toolTip = tr("Photographs of one subject under several lights, with their capture.json"),
        .shortcuts = {QKeySequence(tr("Ctrl+K"))},
        .run = [&open] { open.chooseCapture(); }},
+      {.id = "file.openPhotographs",
+       .menu = Menu::file,
+       .text = tr("Open &photographs…"),
+       .toolTip = tr("Photographs of one subject under several lights, without a capture.json: you "
+                     "say which is which"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+K"))},
+       .run = [&open] { open.choosePhotographs(); }},
       {.id = "file.openImage",
        .menu = Menu::file,
        .text = tr("Open &image or maps…"),
