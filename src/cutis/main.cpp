@@ -26,6 +26,7 @@
 #include "ui/window/main_window.h"
 #include "ui/window/private_data.h"
 #include "ui/window/script.h"
+#include "ui/window/window_icon.h"
 
 namespace {
 
@@ -238,6 +239,7 @@ int main(int argc, char** argv) {
   arguments.fit = fit.value();
   if (parser.isSet(reset)) QSettings().clear();
   cutis::theme::apply(application);
+  QApplication::setWindowIcon(cutis::windowIcon());
   const auto handled = cutis::onInterrupt(closeOnInterrupt);
   if (handled.failed()) return fail(kNoMemory, handled.error().text());
   return runEditor(application, arguments);

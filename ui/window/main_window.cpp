@@ -17,6 +17,7 @@
 #include "src/app/document/view_server.h"
 #include "ui/commands/command_palette.h"
 #include "ui/commands/command_registry.h"
+#include "ui/commands/shortcut_settings.h"
 #include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/save_controller.h"
