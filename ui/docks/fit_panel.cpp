@@ -20,6 +20,7 @@ FitPanel::FitPanel(QWidget* parent)
       load_(new QPushButton(tr("Load…"), this)),
       method_(new QComboBox(this)),
       shading_(new QCheckBox(tr("Estimate shading"), this)),
+      fit_(new QPushButton(tr("Fit"), this)),
       offer_(new QWidget(this)) {
   setAccessibleName(tr("Fit"));
   profile_->setAccessibleName(tr("Profile"));
@@ -38,6 +39,9 @@ FitPanel::FitPanel(QWidget* parent)
   connect(method_, &QComboBox::activated, this, notify);
   connect(shading_, &QCheckBox::clicked, this, notify);
   connect(load_, &QPushButton::clicked, this, &FitPanel::loadWanted);
+  connect(fit_, &QPushButton::clicked, this, &FitPanel::fitWanted);
+  fit_->setToolTip(tr("The fit was cancelled; do it now"));
+  setFitOffered(false);
   show({}, Subject::photographs);
 }
 
@@ -59,6 +63,7 @@ void FitPanel::addForm() {
   column->setSpacing(theme::kSpace);
   column->addLayout(form);
   column->addWidget(shading_);
+  column->addWidget(fit_);
   column->addWidget(offer_);
 }
 
@@ -144,6 +149,10 @@ void FitPanel::showShading(const FitChoice& choice, Subject subject) {
         "One more factor per pixel, for photographs with slopes and shades. Leave it off in flat "
         "light: shade and melanin look much alike."));
   }
+}
+
+void FitPanel::setFitOffered(bool offered) {
+  fit_->setVisible(offered);
 }
 
 void FitPanel::offerTraining() {

@@ -34,6 +34,8 @@ class FitPanel : public QWidget {
   void keepProfile() { tried_.clear(); }
   FitChoice choice() const;
 
+  // Whether there is something to fit that nobody is fitting: the button is there then.
+  void setFitOffered(bool offered);
   // There is no network for what is fitted.
   void offerTraining();
 
@@ -41,6 +43,7 @@ class FitPanel : public QWidget {
   // By the user, also where the choice is what it was.
   void changed(const cutis::FitChoice& choice);
   void loadWanted();
+  void fitWanted();
   void trainingOffered();
   void trainingWanted();
 
@@ -56,6 +59,7 @@ class FitPanel : public QWidget {
   QPushButton* load_;
   QComboBox* method_;
   QCheckBox* shading_;
+  QPushButton* fit_;
   QWidget* offer_;
   QString tried_;  // offered, but nobody knows yet whether it is a profile
 };

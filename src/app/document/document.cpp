@@ -9,6 +9,7 @@
 #include "core/skin/parameter_buffer.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
+#include "src/files/io/free_memory.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"
 
@@ -45,6 +46,7 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
   // Cancelled by the user: a fit that is replaced or has failed is no longer under way here.
   connect(&jobs, &JobRunner::finished, this, [this](JobId job) {
     if (job == fitting_ && !fitted_) backToLastFit();
+    if (job == opening_) endPreview();
   });
 }
 
@@ -56,7 +58,7 @@ void Document::openSample() {
     CUTIS_TRY(sample, cutis::openSample(*painted, store_, context));
     return sourceForModel(sample, model);
   };
-  startOpening(tr("Sample face patch"), {},
+  startOpening(tr("Sample face patch"), {}, {},
                [this, paint, choice = usualFit_](const JobContext& context) {
                  return openedSource({}, choice, paint, context);
                });
@@ -67,7 +69,7 @@ void Document::open(const std::filesystem::path& path, const OpenChoice& choice)
                                                                   const JobContext& context) {
     return openSource(path, options, model, store_, context);
   };
-  startOpening(QString::fromStdString(path.filename().string()), path,
+  startOpening(QString::fromStdString(path.filename().string()), path, choice.source,
                [this, path, read, fit = usualFit_, chooseExposure = choice.chooseExposure](
                    const JobContext& context) -> Result<Opened> {
                  if (!looksLikeCapture(path) && isMapsFile(path)) return openedMaps(path, context);
@@ -85,10 +87,15 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
   return context;
 }
 
-void Document::startOpening(const QString& name, const std::filesystem::path& path, Opener open) {
+void Document::startOpening(const QString& name, const std::filesystem::path& path,
+                            const SourceOptions& options, Opener open) {
   jobs_.cancel(opening_);
+  const bool showsPreview = !isOpen() && !path.empty();
   opening_ = jobs_.start(
-      tr("Open %1").arg(name), [this, path, open = std::move(open)](const JobRunner::Handle& job) {
+      tr("Open %1").arg(name),
+      [this, path, options, showsPreview, open = std::move(open)](const JobRunner::Handle& job) {
+        auto preview = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
+        if (preview) job.post([this, shown = *std::move(preview)] { showPreview(shown); });
         auto opened = open(contextOf(job));
         if (opened.failed()) {
           job.post([this, path, sentence = sentenceOf(opened.error())] {
@@ -99,6 +106,15 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
           job.post([this, result = opened.value()] { take(result); });
         }
       });
+}
+
+void Document::showPreview(const SourcePreview& preview) {
+  isPreviewed_ = true;
+  Q_EMIT previewed(preview);
+}
+
+void Document::endPreview() {
+  if (std::exchange(isPreviewed_, false)) Q_EMIT previewEnded();
 }
 
 Result<Document::Opened> Document::openedSource(std::vector<std::filesystem::path> files,
@@ -148,6 +164,8 @@ void Document::take(const Opened& opened) {
   chooseExposure_ = opened.chooseExposure;
   name_ = opened.name;
   sourceFiles_ = opened.files;
+  isPreviewed_ = false;
+  hasEstimate_ = scene_->source == nullptr;
   fitted_ = false;
   statistics_ = {};
   lastFit_.reset();
@@ -248,6 +266,7 @@ void Document::show(const Scene& fitted) {
   const EditStack edits = scene_->edits;
   scene_ = fitted;
   scene_->edits = edits;
+  hasEstimate_ = true;
   Q_EMIT sceneReplaced();
 }
 
@@ -256,6 +275,7 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
   fitted_ = true;
   lastFit_ = {choice_, *scene_, statistics};
   mapsTimer_.stop();
+  giveMemoryBack();
   Q_EMIT mapsChanged();
   Q_EMIT fitted();
   for (const FitRemark& remark : remarks) {
@@ -268,9 +288,17 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
   }
 }
 
+// What a fit and pictures before it have left.
+void Document::giveMemoryBack() {
+  jobs_.startQuiet([](const JobRunner::Handle&) { giveFreeMemoryBack(); });
+}
+
 void Document::backToLastFit() {
   cancelFit();
-  if (!lastFit_) return;
+  if (!lastFit_) {
+    Q_EMIT fitChoiceChanged();
+    return;
+  }
   choice_ = lastFit_->choice;
   statistics_ = lastFit_->statistics;
   fitted_ = true;

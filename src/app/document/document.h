@@ -29,6 +29,7 @@
 #include "src/app/job_runner.h"
 #include "src/app/open/fit_choice.h"
 #include "src/app/open/source_fit.h"
+#include "src/app/open/source_preview.h"
 
 namespace cutis {
 
@@ -66,6 +67,9 @@ class Document : public QObject {
   QString name() const { return name_; }
   // Whether the fit is complete.
   bool isFitted() const { return fitted_; }
+  // Whether the maps hold anything, a first impression at least.
+  bool hasEstimate() const { return hasEstimate_; }
+  bool isFitting() const { return jobs_.isRunning(fitting_); }
   // The files this was made from; never written to.
   const std::vector<std::filesystem::path>& sourceFiles() const { return sourceFiles_; }
   // Precondition: isOpen().
@@ -82,6 +86,8 @@ class Document : public QObject {
   // Fits again, edits are kept; a choice that cannot be is reported. Where the fit fails or is
   // cancelled the last complete one comes back. Precondition: canFit().
   void fitWith(const FitChoice& choice);
+  // Once more with the same choice, after a fit was cancelled. Precondition: canFit().
+  void fitAgain() { startFit(); }
   // Adds a network of the profile and the source's lights to the engine and fits with it.
   // Precondition: canFit().
   void useNetwork(std::shared_ptr<const ChromophoreNetwork> network, const std::string& profile);
@@ -111,6 +117,10 @@ class Document : public QObject {
   std::optional<ParameterVector> editedParametersAt(int x, int y) const;
 
  Q_SIGNALS:
+  // Nothing is open yet, and this is a first impression of what will be.
+  void previewed(const cutis::SourcePreview& preview);
+  // Nothing came of it: it could not be read, or was cancelled.
+  void previewEnded();
   // Something else is open now; its maps may still be empty.
   void opened();
   // The maps have new values. At most 20 times a second.
@@ -144,7 +154,10 @@ class Document : public QObject {
       std::function<Result<Source>(const SkinModel& model, const JobContext& context)>;
 
   // path: empty for the sample.
-  void startOpening(const QString& name, const std::filesystem::path& path, Opener open);
+  void startOpening(const QString& name, const std::filesystem::path& path,
+                    const SourceOptions& options, Opener open);
+  void showPreview(const SourcePreview& preview);
+  void endPreview();
   // On the thread of the job.
   Result<Opened> openedSource(std::vector<std::filesystem::path> files, const FitChoice& choice,
                               const SourceReader& read, const JobContext& context);
@@ -163,8 +176,12 @@ class Document : public QObject {
   void fitWithoutNetwork();
   void setEdits(bool moving);
 
+  void giveMemoryBack();
+
   Engine& engine_;
   JobRunner& jobs_;
+  // Goes when the members below have gone.
+  std::shared_ptr<void> lastAct_{nullptr, [this](void*) { giveMemoryBack(); }};
   std::shared_ptr<TileStore> store_;
   JobId opening_ = 0;
   JobId fitting_ = 0;
@@ -176,6 +193,8 @@ class Document : public QObject {
   FitChoice usualFit_;
   FitChoice choice_;
   bool chooseExposure_ = true;
+  bool isPreviewed_ = false;
+  bool hasEstimate_ = false;
   bool fitted_ = false;
   FitStatistics statistics_;
   // The last one that was complete.
