@@ -126,7 +126,7 @@ void closeOnInterrupt() {
 
 int runEditor(QApplication& application, const Arguments& arguments) {
   cutis::MainWindow window(std::make_unique<cutis::Engine>(cutis::cacheFolder()));
-  window.document().setUsualFit(arguments.fit);
+  window.setUsualFit(arguments.fit);
   // Pictures are of one size, whatever the screen.
   if (arguments.size) {
     window.resize(*arguments.size);

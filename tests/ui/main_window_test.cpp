@@ -23,6 +23,8 @@
 #include "ui/view/viewport.h"
 #include "ui/widgets/neutral_slider.h"
 #include "ui/widgets/progress_strip.h"
+#include "ui/window/document_page.h"
+#include "ui/window/document_tabs.h"
 
 namespace cutis {
 namespace {
@@ -204,14 +206,18 @@ class MainWindowTest : public test::UiTest {
     QVERIFY(window_->progress().message().contains("noise.png"));
   }
 
-  // Neither the first alone nor all in silence.
-  void severalDroppedAtOnceAreRefused() {
+  // What cannot be opened is told and gets no tab; the rest is opened.
+  void eachOfSeveralDroppedGetsATab() {
     openSample();
-    const QString name = window_->document().name();
-    QVERIFY(drop({QUrl::fromLocalFile(file("a.png")), QUrl::fromLocalFile(file("b.png"))}));
+    writePicture("a.png", QColor(200, 150, 130));
+    writePicture("b.png", QColor(120, 80, 60));
+    QVERIFY(drop({QUrl::fromLocalFile(file("a.png")), QUrl::fromLocalFile(file("missing.png")),
+                  QUrl::fromLocalFile(file("b.png"))}));
     waitUntilIdle();
-    QVERIFY(window_->progress().message().contains("capture.json"));
-    QCOMPARE(window_->document().name(), name);
+    QCOMPARE(window_->tabs().count(), 3);
+    QCOMPARE(window_->tabs().pages().size(), 3u);
+    QVERIFY2(window_->progress().message().contains("missing.png"),
+             qPrintable(window_->progress().message()));
   }
 
   void nothingIsFetchedFromTheNetwork() {
@@ -231,13 +237,13 @@ class MainWindowTest : public test::UiTest {
     QVERIFY(window_->progress().message().contains("a.gif"));
   }
 
-  // The second opening replaces the first, wherever that was.
-  void openingAgainReplacesWhatIsUnderWay() {
+  void whatIsUnderWayIsNotOpenedAgain() {
     window_->opener().openSample();
     QTest::qWait(30);
     window_->opener().openSample();
     waitUntilIdle();
     QVERIFY(window_->document().isFitted());
+    QCOMPARE(window_->tabs().count(), 1);
   }
 
   void cancellingStopsSoon() {
@@ -276,6 +282,11 @@ class MainWindowTest : public test::UiTest {
     QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &event);
     return event.isAccepted();
+  }
+  void writePicture(const std::string& name, QColor color) const {
+    QImage image(32, 24, QImage::Format_RGB32);
+    image.fill(color);
+    QVERIFY(image.save(file(name)));
   }
   void waitUntilIdle() {
     QTest::qWait(10);

@@ -19,33 +19,26 @@ constexpr char kRecentFiles[] = "recentFiles";
 
 }  // namespace
 
-OpenController::OpenController(Document& document, JobRunner& jobs, ProgressStrip& progress,
-                               QWidget* window)
-    : QObject(window), document_(document), jobs_(jobs), progress_(progress), window_(window) {
-  connect(&document, &Document::opened, this, &OpenController::remember);
-  connect(&document, &Document::openingFailed, this, &OpenController::openAs);
-}
+OpenController::OpenController(JobRunner& jobs, ProgressStrip& progress, QWidget* window)
+    : QObject(window), jobs_(jobs), progress_(progress), window_(window) {}
 
 void OpenController::openSample() {
   progress_.clearMessages();
-  document_.openSample();
+  Q_EMIT openWanted({});
 }
 
 void OpenController::open(const QString& path) {
-  progress_.clearMessages();
-  document_.open(std::filesystem::path(path.toStdString()));
+  openAll({path});
 }
 
 void OpenController::openAll(const QStringList& paths) {
-  if (paths.size() == 1) return open(paths.first());
   progress_.clearMessages();
-  progress_.showMessage(
-      paths.isEmpty()
-          ? tr("Only files and folders of this computer can be opened; save it here first")
-          : tr("%1 files at once cannot be opened, so nothing was; open one image, or for "
-               "photographs of one capture the folder that holds them and their capture.json")
-                .arg(paths.size()),
-      true);
+  if (paths.isEmpty()) {
+    progress_.showMessage(
+        tr("Only files and folders of this computer can be opened; save it here first"), true);
+  }
+  for (const QString& path : paths)
+    Q_EMIT openWanted(QFileInfo(path).absoluteFilePath().toStdString());
 }
 
 void OpenController::chooseCapture() {
@@ -87,15 +80,15 @@ void OpenController::ask(const QString& path, const ImageInspection& image, cons
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] {
     progress_.clearMessages();
-    document_.open(dialog->path(), dialog->choice());
+    Q_EMIT openAsWanted(dialog->path(), dialog->choice());
   });
   dialog->open();
 }
 
-void OpenController::remember() {
+void OpenController::remember(const Document& document) {
   QSettings settings;
   QStringList files = settings.value(kRecentFiles).toStringList();
-  for (const auto& source : document_.sourceFiles()) {
+  for (const auto& source : document.sourceFiles()) {
     const QString file = QFileInfo(QString::fromStdString(source.string())).absoluteFilePath();
     files.removeAll(file);
     files.prepend(file);

@@ -1,15 +1,18 @@
 #pragma once
 
-// Opens what the user chooses, and remembers it. Interface thread only.
+// Asks what is to be opened, and remembers what was. Interface thread only.
+
+#include <filesystem>
 
 #include <QObject>
 #include <QStringList>
+
+#include "src/app/document/document.h"
 
 class QWidget;
 
 namespace cutis {
 
-class Document;
 class JobRunner;
 class OpenAsDialog;
 class ProgressStrip;
@@ -20,13 +23,12 @@ class OpenController : public QObject {
 
  public:
   // All outlive the controller; dialogs stand before the window.
-  OpenController(Document& document, JobRunner& jobs, ProgressStrip& progress, QWidget* window);
+  OpenController(JobRunner& jobs, ProgressStrip& progress, QWidget* window);
 
   void openSample();
-  // A capture's folder, capture.json, an image or maps. What cannot be opened is reported and
-  // changes nothing.
+  // A capture's folder, capture.json, an image or maps.
   void open(const QString& path);
-  // What was dropped or named at once: one is opened; of several none, and the user is told why.
+  // What was dropped or named at once, each as a document of its own.
   void openAll(const QStringList& paths);
   // By a dialog.
   void chooseCapture();
@@ -37,14 +39,19 @@ class OpenController : public QObject {
   // opened otherwise, if a sentence says why: then nobody is asked where no choice would help.
   void openAs(const QString& path, const QString& reason = {});
 
+  // Puts what was opened in front of the recent files.
+  void remember(const Document& document);
   // Absolute paths that are still there, newest first.
   QStringList recentFiles() const;
 
+ Q_SIGNALS:
+  // An empty path is the embedded sample.
+  void openWanted(const std::filesystem::path& path);
+  void openAsWanted(const std::filesystem::path& path, const cutis::OpenChoice& choice);
+
  private:
-  void remember();
   void ask(const QString& path, const ImageInspection& image, const QString& reason);
 
-  Document& document_;
   JobRunner& jobs_;
   ProgressStrip& progress_;
   QWidget* window_;

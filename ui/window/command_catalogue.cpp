@@ -37,8 +37,6 @@ QString unlessFittable(const Document& document) {
 
 Rows fileCommands(const Editor& editor) {
   OpenController& open = editor.open;
-  ExportController& exports = editor.exports;
-  QWidget& window = editor.window;
   return {
       {.id = "file.openSample",
        .menu = Menu::file,
@@ -67,42 +65,47 @@ Rows fileCommands(const Editor& editor) {
        .text = tr("&Export edited albedo…"),
        .shortcuts = {QKeySequence(tr("Ctrl+E"))},
        .beginsSection = true,
-       .run = [&exports] { exports.choose(); },
-       .objection = [&exports] { return exports.objection(); }},
+       .run = [editor] { editor.page().exports().choose(); },
+       .objection = [editor] { return editor.page().exports().objection(); }},
+      {.id = "file.close",
+       .menu = Menu::file,
+       .text = tr("&Close"),
+       .shortcuts = {QKeySequence(tr("Ctrl+W"))},
+       .beginsSection = true,
+       .run = [editor] { Q_EMIT editor.tabs.closeWanted(editor.page()); },
+       .objection = [editor] { return unlessOpen(editor.document()); }},
       {.id = "file.quit",
        .menu = Menu::file,
        .text = tr("&Quit"),
        .shortcuts = {QKeySequence(tr("Ctrl+Q"))},
-       .beginsSection = true,
-       .run = [&window] { window.close(); }},
+       .run = [editor] { editor.window.close(); }},
   };
 }
 
 Rows editCommands(const Editor& editor) {
-  Document& document = editor.document;
-  const UndoHistory& history = document.history();
+  const auto history = [editor]() -> const UndoHistory& { return editor.document().history(); };
   return {
       {.id = "edit.undo",
        .menu = Menu::edit,
        .text = tr("&Undo"),
        .shortcuts = {QKeySequence(tr("Ctrl+Z"))},
-       .run = [&document] { document.undo(); },
+       .run = [editor] { editor.document().undo(); },
        .objection =
-           [&history] { return history.canUndo() ? QString() : tr("There is nothing to undo"); },
+           [history] { return history().canUndo() ? QString() : tr("There is nothing to undo"); },
        .textNow =
-           [&history] {
-             return history.canUndo() ? tr("&Undo %1").arg(history.undoName()) : tr("&Undo");
+           [history] {
+             return history().canUndo() ? tr("&Undo %1").arg(history().undoName()) : tr("&Undo");
            }},
       {.id = "edit.redo",
        .menu = Menu::edit,
        .text = tr("&Redo"),
        .shortcuts = {QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))},
-       .run = [&document] { document.redo(); },
+       .run = [editor] { editor.document().redo(); },
        .objection =
-           [&history] { return history.canRedo() ? QString() : tr("There is nothing to redo"); },
+           [history] { return history().canRedo() ? QString() : tr("There is nothing to redo"); },
        .textNow =
-           [&history] {
-             return history.canRedo() ? tr("&Redo %1").arg(history.redoName()) : tr("&Redo");
+           [history] {
+             return history().canRedo() ? tr("&Redo %1").arg(history().redoName()) : tr("&Redo");
            }},
       {.id = "edit.reset",
        .menu = Menu::edit,
@@ -110,47 +113,43 @@ Rows editCommands(const Editor& editor) {
        .toolTip = tr("Back to the skin as it was photographed; this can be undone"),
        .shortcuts = {QKeySequence(tr("Ctrl+R"))},
        .beginsSection = true,
-       .run = [&edits = editor.edits] { edits.reset(); },
+       .run = [editor] { editor.page().edits().reset(); },
        .objection =
-           [&document] {
-             if (!document.isOpen()) return unlessOpen(document);
-             return isNeutral(document.scene().edits) ? tr("There are no edits") : QString();
+           [editor] {
+             if (!editor.document().isOpen()) return unlessOpen(editor.document());
+             return isNeutral(editor.document().scene().edits) ? tr("There are no edits")
+                                                               : QString();
            }},
   };
 }
 
 Rows zoomCommands(const Editor& editor) {
-  Viewport& viewport = editor.viewport;
-  const auto objection = [&document = editor.document] { return unlessOpen(document); };
+  const auto objection = [editor] { return unlessOpen(editor.document()); };
   return {
       {.id = "view.wholePicture",
        .menu = Menu::view,
        .text = tr("&Whole picture"),
        .shortcuts = {Qt::Key_F},
-       .keyboardOf = &viewport,
-       .run = [&viewport] { viewport.fitPicture(); },
+       .run = [editor] { editor.page().viewport().fitPicture(); },
        .objection = objection},
       {.id = "view.oneToOne",
        .menu = Menu::view,
        .text = tr("&One to one"),
        .toolTip = tr("Each pixel of the picture fills one pixel of the screen"),
        .shortcuts = {Qt::Key_1},
-       .keyboardOf = &viewport,
-       .run = [&viewport] { viewport.zoomOneToOne(); },
+       .run = [editor] { editor.page().viewport().zoomOneToOne(); },
        .objection = objection},
       {.id = "view.zoomIn",
        .menu = Menu::view,
        .text = tr("Zoom &in"),
        .shortcuts = {Qt::Key_Plus, Qt::Key_Equal},
-       .keyboardOf = &viewport,
-       .run = [&viewport] { viewport.zoomIn(); },
+       .run = [editor] { editor.page().viewport().zoomIn(); },
        .objection = objection},
       {.id = "view.zoomOut",
        .menu = Menu::view,
        .text = tr("Zoom o&ut"),
        .shortcuts = {Qt::Key_Minus},
-       .keyboardOf = &viewport,
-       .run = [&viewport] { viewport.zoomOut(); },
+       .run = [editor] { editor.page().viewport().zoomOut(); },
        .objection = objection},
   };
 }
@@ -160,23 +159,25 @@ Rows viewCommands(const Editor& editor) {
   Rows rows;
   for (const ViewDescription& view : viewCatalogue()) {
     const auto number = rows.size() + 1;
-    rows.push_back(
-        {.id = "view." + view.id,
-         .menu = Menu::view,
-         .text = view.name,
-         .toolTip = view.toolTip,
-         .beginsSection = rows.empty(),
-         .run = [&views = editor.views, kind = view.kind] { views.show(kind); },
-         .objection =
-             [&document = editor.document, &views = editor.views, kind = view.kind] {
-               if (!document.isOpen()) return unlessOpen(document);
-               return views.isOffered(kind)
-                          ? QString()
-                          : tr("Maps alone hold no photograph; open the photographs "
-                               "they were fitted to");
-             },
-         .isOn = [&document = editor.document, &views = editor.views,
-                  kind = view.kind] { return document.isOpen() && views.current() == kind; }});
+    rows.push_back({.id = "view." + view.id,
+                    .menu = Menu::view,
+                    .text = view.name,
+                    .toolTip = view.toolTip,
+                    .beginsSection = rows.empty(),
+                    .run = [editor, kind = view.kind] { editor.page().views().show(kind); },
+                    .objection =
+                        [editor, kind = view.kind] {
+                          if (!editor.document().isOpen()) return unlessOpen(editor.document());
+                          return editor.page().views().isOffered(kind)
+                                     ? QString()
+                                     : tr("Maps alone hold no photograph; open the photographs "
+                                          "they were fitted to");
+                        },
+                    .isOn =
+                        [editor, kind = view.kind] {
+                          return editor.document().isOpen() &&
+                                 editor.page().views().current() == kind;
+                        }});
     if (number <= 10) {
       rows.back().shortcuts = {QKeySequence(QString("Alt+%1").arg(number % 10))};
     }
@@ -184,21 +185,42 @@ Rows viewCommands(const Editor& editor) {
   return rows;
 }
 
+Rows tabCommands(const Editor& editor) {
+  const auto objection = [editor] {
+    return editor.tabs.count() > 1 ? QString() : tr("There is no other document");
+  };
+  return {
+      {.id = "view.nextDocument",
+       .menu = Menu::view,
+       .text = tr("&Next document"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Tab")), QKeySequence(tr("Ctrl+PgDown"))},
+       .beginsSection = true,
+       .run = [editor] { editor.tabs.step(1); },
+       .objection = objection},
+      {.id = "view.previousDocument",
+       .menu = Menu::view,
+       .text = tr("&Previous document"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+Tab")), QKeySequence(tr("Ctrl+PgUp"))},
+       .run = [editor] { editor.tabs.step(-1); },
+       .objection = objection},
+  };
+}
+
 // One for each dock.
 Rows dockCommands(const Editor& editor) {
-  Workspace& workspace = editor.workspace;
-  const auto objection = [&document = editor.document] { return unlessOpen(document); };
+  const auto objection = [editor] { return unlessOpen(editor.document()); };
   Rows rows;
-  for (const DockDescription& dock : workspace.all()) {
-    rows.push_back({.id = "dock." + dock.id,
-                    .menu = Menu::view,
-                    .submenu = tr("&Docks"),
-                    .text = dock.title,
-                    .shortcuts = {dock.shortcut},
-                    .beginsSection = rows.empty(),
-                    .run = [&workspace, id = dock.id] { workspace.toggle(id); },
-                    .objection = objection,
-                    .isOn = [&workspace, id = dock.id] { return workspace.isInFront(id); }});
+  for (const DockDescription& dock : editor.page().workspace().all()) {
+    rows.push_back(
+        {.id = "dock." + dock.id,
+         .menu = Menu::view,
+         .submenu = tr("&Docks"),
+         .text = dock.title,
+         .shortcuts = {dock.shortcut},
+         .beginsSection = rows.empty(),
+         .run = [editor, id = dock.id] { editor.page().workspace().toggle(id); },
+         .objection = objection,
+         .isOn = [editor, id = dock.id] { return editor.page().workspace().isInFront(id); }});
   }
   rows.push_back({.id = "dock.resetLayout",
                   .menu = Menu::view,
@@ -206,29 +228,26 @@ Rows dockCommands(const Editor& editor) {
                   .text = tr("&Reset layout"),
                   .toolTip = tr("Every dock back to its place"),
                   .shortcuts = {QKeySequence(tr("Shift+F5"))},
-                  .run = [&workspace] { workspace.resetLayout(); },
+                  .run = [editor] { editor.page().workspace().resetLayout(); },
                   .objection = objection});
   return rows;
 }
 
 Rows fitCommands(const Editor& editor) {
-  FitController& fit = editor.fit;
-  TrainingController& training = editor.training;
-  QWidget& window = editor.window;
-  const auto objection = [&document = editor.document] { return unlessFittable(document); };
+  const auto objection = [editor] { return unlessFittable(editor.document()); };
   return {
       {.id = "fit.loadProfile",
        .menu = Menu::fit,
        .text = tr("Load &profile…"),
        .toolTip = tr("A profile of the skin model from a JSON file"),
        .shortcuts = {QKeySequence(tr("Ctrl+Shift+L"))},
-       .run = [&fit, &window] { fit.chooseProfile(window); },
+       .run = [editor] { editor.page().fit().chooseProfile(editor.window); },
        .objection = objection},
       {.id = "fit.train",
        .menu = Menu::fit,
        .text = tr("&Train a network…"),
        .shortcuts = {QKeySequence(tr("Ctrl+T"))},
-       .run = [&training] { training.train(); },
+       .run = [editor] { editor.page().training().train(); },
        .objection = objection},
   };
 }
@@ -248,7 +267,7 @@ Rows helpCommands(const Editor& editor) {
 std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
   for (const auto& part : {fileCommands, editCommands, zoomCommands, viewCommands, dockCommands,
-                           fitCommands, helpCommands}) {
+                           tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

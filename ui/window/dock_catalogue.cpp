@@ -16,6 +16,7 @@
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
 #include "ui/widgets/panel_scroll.h"
+#include "ui/window/document_page.h"
 
 namespace cutis {
 namespace {
@@ -24,36 +25,35 @@ QString tr(const char* text) {
   return QCoreApplication::translate("DockCatalogue", text);
 }
 
-QWidget* makeViews(const Editor& editor) {
+QWidget* makeViews(DocumentPage& page) {
   auto* strip = new ViewStrip;
-  editor.views.attach(*strip);
+  page.views().attach(*strip);
   return strip;
 }
 
-QWidget* makeSpectrum(const Editor& editor) {
+QWidget* makeSpectrum(DocumentPage& page, ProgressStrip& progress) {
   auto* plot = new SpectrumPlot;
-  new SpectrumController(editor.document, editor.viewport, *plot, editor.progress, plot);
+  new SpectrumController(page.document(), page.viewport(), *plot, progress, plot);
   return plot;
 }
 
-QWidget* makeEdit(const Editor& editor) {
+QWidget* makeEdit(DocumentPage& page) {
   auto* panel = new EditPanel;
-  editor.edits.attach(*panel);
+  page.edits().attach(*panel);
   return new PanelScroll(panel);
 }
 
-QWidget* makeLight(const Editor& editor) {
+QWidget* makeLight(DocumentPage& page) {
   auto* panel = new LightPanel;
   panel->setLights(lightGroups());
   panel->setObservers(observerChoices());
-  editor.light.attach(*panel);
+  page.light().attach(*panel);
   return new PanelScroll(panel);
 }
 
-QWidget* makeFit(const Editor& editor) {
+QWidget* makeFit(DocumentPage& page, CommandRegistry& commands) {
   auto* panel = new FitPanel;
-  editor.fit.attach(*panel);
-  CommandRegistry& commands = editor.commands;
+  page.fit().attach(*panel);
   QObject::connect(panel, &FitPanel::loadWanted, panel,
                    [&commands] { commands.run("fit.loadProfile"); });
   QObject::connect(panel, &FitPanel::trainingWanted, panel,
@@ -62,7 +62,7 @@ QWidget* makeFit(const Editor& editor) {
   // The offer must be seen. It has its place after the next layout.
   QObject::connect(
       panel, &FitPanel::trainingOffered, scroll,
-      [scroll, panel, &workspace = editor.workspace] {
+      [scroll, panel, &workspace = page.workspace()] {
         workspace.present("fit");
         scroll->ensureVisible(0, panel->height());
       },
@@ -72,33 +72,34 @@ QWidget* makeFit(const Editor& editor) {
 
 }  // namespace
 
-std::vector<DockDescription> dockCatalogue(const Editor& editor) {
+std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& progress,
+                                           CommandRegistry& commands) {
   return {
       {.id = "views",
        .title = tr("&Views"),
        .area = Qt::LeftDockWidgetArea,
        .shortcut = Qt::Key_F5,
        .extent = 152,
-       .makePanel = [=] { return makeViews(editor); },
-       .seen = [&views = editor.views](QWidget&, bool seen) { views.setStripSeen(seen); }},
+       .makePanel = [&page] { return makeViews(page); },
+       .seen = [&views = page.views()](QWidget&, bool seen) { views.setStripSeen(seen); }},
       {.id = "edit",
        .title = tr("&Edit"),
        .shortcut = Qt::Key_F6,
-       .makePanel = [=] { return makeEdit(editor); }},
+       .makePanel = [&page] { return makeEdit(page); }},
       {.id = "light",
        .title = tr("&Light"),
        .shortcut = Qt::Key_F7,
-       .makePanel = [=] { return makeLight(editor); }},
+       .makePanel = [&page] { return makeLight(page); }},
       {.id = "fit",
        .title = tr("&Fit"),
        .shortcut = Qt::Key_F8,
-       .makePanel = [=] { return makeFit(editor); }},
+       .makePanel = [&page, &commands] { return makeFit(page, commands); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),
        .area = Qt::BottomDockWidgetArea,
        .shortcut = Qt::Key_F9,
        .extent = 240,
-       .makePanel = [=] { return makeSpectrum(editor); },
+       .makePanel = [&page, &progress] { return makeSpectrum(page, progress); },
        .seen = [](QWidget& plot,
                   bool seen) { plot.findChild<SpectrumController*>()->setSeen(seen); }},
   };

@@ -3,12 +3,16 @@
 #include <vector>
 
 #include "ui/docks/dock_description.h"
-#include "ui/window/editor.h"
 
 namespace cutis {
 
-// The docks of the editor. A new one is a panel, a controller and a row here: its place in the
-// menu, its shortcut and its memory come from the row. Everything of the editor outlives the docks.
-std::vector<DockDescription> dockCatalogue(const Editor& editor);
+class CommandRegistry;
+class DocumentPage;
+class ProgressStrip;
+
+// The docks of a page. A new one is a panel, a controller and a row here: its place in the menu,
+// its shortcut and its memory come from the row. All outlive the docks.
+std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& progress,
+                                           CommandRegistry& commands);
 
 }  // namespace cutis

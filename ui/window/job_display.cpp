@@ -1,43 +1,62 @@
 #include "ui/window/job_display.h"
 
-#include "ui/widgets/progress_strip.h"
-
 namespace cutis {
 
-JobDisplay::JobDisplay(JobRunner& jobs, ProgressStrip& progress, QObject* parent)
-    : QObject(parent), jobs_(jobs), progress_(progress) {
-  connect(&jobs, &JobRunner::started, this, [this](JobId id, const QString& name) {
-    names_[id] = name;
-    // That it was cancelled before is of no interest any more.
-    progress_.withdraw(name);
-    show(id, {}, std::nullopt, -1.0);
-  });
-  connect(&jobs, &JobRunner::progressed, this, &JobDisplay::show);
-  connect(&jobs, &JobRunner::finished, this, &JobDisplay::retire);
+JobDisplay::JobDisplay(ProgressStrip& progress, QObject* parent)
+    : QObject(parent), progress_(progress) {
   connect(&progress, &ProgressStrip::cancelWanted, this, &JobDisplay::cancelShown);
 }
 
-void JobDisplay::show(JobId id, const QString& stage, std::optional<double> fraction,
-                      double secondsLeft) {
-  if (names_.empty() || id != names_.rbegin()->first) return;
-  progress_.setJob({names_.rbegin()->second, stage, fraction,
-                    secondsLeft < 0.0 ? std::nullopt : std::optional<double>(secondsLeft)});
+void JobDisplay::watch(JobRunner& jobs) {
+  JobRunner* runner = &jobs;
+  connect(runner, &JobRunner::started, this, [this, runner](JobId id, const QString& name) {
+    begin({runner, id, name});
+  });
+  connect(runner, &JobRunner::progressed, this,
+          [this, runner](JobId id, const QString& stage, double fraction, double secondsLeft) {
+            show({runner, id, {}},
+                 {{},
+                  stage,
+                  fraction,
+                  secondsLeft < 0.0 ? std::nullopt : std::optional<double>(secondsLeft)});
+          });
+  connect(runner, &JobRunner::finished, this, [this, runner](JobId id) {
+    retire([&](const RunningJob& job) { return job.runner == runner && job.id == id; });
+  });
+  connect(runner, &QObject::destroyed, this,
+          [this, runner] { retire([&](const RunningJob& job) { return job.runner == runner; }); });
 }
 
-void JobDisplay::retire(JobId id) {
-  names_.erase(id);
-  if (names_.empty()) {
+void JobDisplay::begin(const RunningJob& job) {
+  running_.push_back(job);
+  // That it was cancelled before is of no interest any more.
+  progress_.withdraw(job.name);
+  show(job, {});
+}
+
+void JobDisplay::show(const RunningJob& job, const JobState& state) {
+  if (running_.empty()) return;
+  const RunningJob& newest = running_.back();
+  if (newest.runner != job.runner || newest.id != job.id) return;
+  JobState named = state;
+  named.name = newest.name;
+  progress_.setJob(named);
+}
+
+void JobDisplay::retire(const std::function<bool(const RunningJob&)>& isOver) {
+  std::erase_if(running_, isOver);
+  if (running_.empty()) {
     progress_.clearJob();
   } else {
-    show(names_.rbegin()->first, {}, std::nullopt, -1.0);
+    show(running_.back(), {});
   }
 }
 
 void JobDisplay::cancelShown() {
-  if (names_.empty()) return;
-  const auto [id, name] = *names_.rbegin();
-  jobs_.cancel(id);
-  progress_.showMessage(tr("%1: cancelled").arg(name), false, name);
+  if (running_.empty()) return;
+  const RunningJob shown = running_.back();
+  shown.runner->cancel(shown.id);
+  progress_.showMessage(tr("%1: cancelled").arg(shown.name), false, shown.name);
 }
 
 }  // namespace cutis

@@ -3,33 +3,41 @@
 // Shows the running jobs in the progress strip: the newest, and when that ends the one before it.
 // Interface thread only.
 
-#include <map>
-#include <optional>
+#include <functional>
+#include <vector>
 
 #include <QObject>
 #include <QString>
 
 #include "src/app/job_runner.h"
+#include "ui/widgets/progress_strip.h"
 
 namespace cutis {
-
-class ProgressStrip;
 
 class JobDisplay : public QObject {
   Q_OBJECT
 
  public:
-  // Both outlive the display. The strip's cancel button cancels the job that is shown.
-  JobDisplay(JobRunner& jobs, ProgressStrip& progress, QObject* parent = nullptr);
+  // The strip outlives the display; its cancel button cancels the job that is shown.
+  explicit JobDisplay(ProgressStrip& progress, QObject* parent = nullptr);
+
+  // Shows the jobs of this runner, too, for as long as it lives.
+  void watch(JobRunner& jobs);
 
  private:
-  void show(JobId id, const QString& stage, std::optional<double> fraction, double secondsLeft);
-  void retire(JobId id);
+  struct RunningJob {
+    JobRunner* runner;
+    JobId id;
+    QString name;
+  };
+
+  void begin(const RunningJob& job);
+  void show(const RunningJob& job, const JobState& state);
+  void retire(const std::function<bool(const RunningJob&)>& isOver);
   void cancelShown();
 
-  JobRunner& jobs_;
   ProgressStrip& progress_;
-  std::map<JobId, QString> names_;  // of the jobs that run
+  std::vector<RunningJob> running_;  // the newest last
 };
 
 }  // namespace cutis

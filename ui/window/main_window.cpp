@@ -1,5 +1,7 @@
 #include "ui/window/main_window.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
@@ -11,20 +13,19 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "src/app/document/document.h"
+#include "src/app/document/view_server.h"
 #include "ui/commands/command_registry.h"
-#include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/open_controller.h"
-#include "ui/dialogs/training_controller.h"
-#include "ui/docks/edit_controller.h"
-#include "ui/docks/fit_controller.h"
-#include "ui/docks/light_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/theme/theme.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/command_catalogue.h"
-#include "ui/window/dock_catalogue.h"
+#include "ui/window/document_page.h"
+#include "ui/window/document_tabs.h"
+#include "ui/window/editor.h"
 #include "ui/window/job_display.h"
 #include "ui/window/start_page.h"
 #include "ui/window/window_size.h"
@@ -41,55 +42,55 @@ constexpr QSize kFirstSize(1440, 900);
 MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
     : QMainWindow(parent),
       engine_(std::move(engine)),
-      document_(std::make_unique<Document>(*engine_, jobs_)),
-      server_(std::make_unique<ViewServer>(*document_, *engine_, jobs_)),
-      pages_(new QStackedWidget(this)),
+      contents_(new QStackedWidget(this)),
       start_(new StartPage(this)),
-      viewport_(new Viewport(this)),
-      workspace_(new Workspace(viewport_, this)),
       progress_(new ProgressStrip(this)),
+      jobDisplay_(new JobDisplay(*progress_, this)),
       exportButton_(new QPushButton(tr("Export edited albedo…"), this)),
       commands_(new CommandRegistry(*this)),
-      views_(std::make_unique<ViewController>(*document_, *server_, *viewport_)),
-      edits_(std::make_unique<EditController>(*document_, *views_)),
-      light_(std::make_unique<LightController>(*server_, *views_)),
-      fit_(std::make_unique<FitController>(*document_)),
-      training_(std::make_unique<TrainingController>(*document_, *engine_, jobs_, this)),
-      opener_(std::make_unique<OpenController>(*document_, jobs_, *progress_, this)),
-      exports_(std::make_unique<ExportController>(*document_, *engine_, jobs_, *progress_, this)) {
-  new JobDisplay(jobs_, *progress_, this);
-  setWindowTitle(tr("Cutis"));
+      opener_(new OpenController(jobs_, *progress_, this)),
+      tabs_(new DocumentTabs(
+          [this](QWidget* stack) {
+            return new DocumentPage(*engine_, *progress_, *commands_, stack);
+          },
+          this)) {
+  jobDisplay_->watch(jobs_);
+  connect(tabs_, &DocumentTabs::pageMade, this, &MainWindow::connectPage);
+  tabs_->begin();
   fillTables();
   layOut();
   connectStartPage();
-  connectDocument();
+  connectOpening();
   restoreSettings();
-  refreshCommands();
+  showCurrent();
 }
 
+// Pages go first: they tell the others.
 MainWindow::~MainWindow() {
   jobs_.stopAll();
-  // Docks that go out of sight say so: while those they say it to are still there.
-  hide();
+  disconnect(tabs_, nullptr, this, nullptr);
+  delete tabs_;
+}
+
+void MainWindow::setUsualFit(const FitChoice& choice) {
+  usualFit_ = choice;
+  for (DocumentPage* page : tabs_->pages())
+    page->document().setUsualFit(choice);
 }
 
 void MainWindow::fillTables() {
-  const Editor editor = {*this,      *document_, *server_,    *views_,   *edits_,
-                         *light_,    *fit_,      *training_,  *opener_,  *exports_,
-                         *viewport_, *progress_, *workspace_, *commands_};
-  workspace_->add(dockCatalogue(editor));
-  commands_->add(commandCatalogue(editor));
+  commands_->add(commandCatalogue({*this, *tabs_, *opener_}));
   commands_->fill(*menuBar());
 }
 
 void MainWindow::layOut() {
-  pages_->addWidget(start_);
-  pages_->addWidget(workspace_);
+  contents_->addWidget(start_);
+  contents_->addWidget(tabs_);
   auto* central = new QWidget(this);
   auto* column = new QVBoxLayout(central);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(pages_, 1);
+  column->addWidget(contents_, 1);
   column->addWidget(progress_);
   setCentralWidget(central);
   setAcceptDrops(true);
@@ -99,7 +100,6 @@ void MainWindow::layOut() {
   row->setContentsMargins(0, 2, theme::kSpace, 1);
   row->addWidget(exportButton_);
   menuBar()->setCornerWidget(corner);
-  exportButton_->hide();
   connect(exportButton_, &QPushButton::clicked, this, [this] { commands_->run("file.export"); });
 }
 
@@ -107,52 +107,111 @@ void MainWindow::connectStartPage() {
   connect(start_, &StartPage::sampleWanted, this, [this] { commands_->run("file.openSample"); });
   connect(start_, &StartPage::captureWanted, this, [this] { commands_->run("file.openCapture"); });
   connect(start_, &StartPage::imageWanted, this, [this] { commands_->run("file.openImage"); });
-  connect(start_, &StartPage::fileWanted, opener_.get(), &OpenController::open);
+  connect(start_, &StartPage::fileWanted, opener_, &OpenController::open);
   connect(progress_, &ProgressStrip::messageChanged, start_,
           [this] { start_->showMessage(progress_->message(), progress_->messageIsError()); });
-  progress_->setMessagesShown(false);
 }
 
-void MainWindow::connectDocument() {
-  const Document* document = document_.get();
-  const auto showError = [this](const QString& sentence) {
-    progress_->showMessage(sentence, true);
-  };
-  connect(document, &Document::failed, this, showError);
-  connect(server_.get(), &ViewServer::failed, this, showError);
+void MainWindow::connectOpening() {
+  connect(opener_, &OpenController::openWanted, tabs_, &DocumentTabs::open);
+  connect(opener_, &OpenController::openAsWanted, tabs_, &DocumentTabs::openAs);
   connect(&jobs_, &JobRunner::failed, this,
-          [showError](JobId, const QString& sentence) { showError(sentence); });
-  connect(document, &Document::noticed, this,
-          [this](const QString& sentence) { progress_->showMessage(sentence, false); });
-  connect(document, &Document::opened, this, &MainWindow::showDocument);
+          [this](JobId, const QString& sentence) { progress_->showMessage(sentence, true); });
+  connect(&jobs_, &JobRunner::finished, this, &MainWindow::refreshCommands);
+  connect(tabs_, &DocumentTabs::currentChanged, this, &MainWindow::showCurrent);
+  connect(tabs_, &DocumentTabs::closeWanted, this,
+          [this](DocumentPage& page) { tabs_->close(page); });
+}
 
-  connect(document, &Document::opened, this, &MainWindow::refreshCommands);
+void MainWindow::connectPage(DocumentPage& page) {
+  jobDisplay_->watch(page.jobs());
+  page.document().setUsualFit(usualFit_);
+  connectMessages(page);
+  const Document* document = &page.document();
+  connect(document, &Document::openingFailed, opener_, &OpenController::openAs);
+  connect(document, &Document::opened, this, [this, document] { opener_->remember(*document); });
   connect(document, &Document::fitted, this, &MainWindow::refreshCommands);
   connect(document, &Document::editsChanged, this, &MainWindow::refreshCommands);
   connect(document, &Document::fitChoiceChanged, this, &MainWindow::refreshCommands);
-  connect(&jobs_, &JobRunner::finished, this, &MainWindow::refreshCommands);
-  connect(views_.get(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);
-  connect(workspace_, &Workspace::docksChanged, this, &MainWindow::refreshCommands);
+  connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
+  connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);
+  connect(&page.workspace(), &Workspace::docksChanged, this, &MainWindow::refreshCommands);
 }
 
-void MainWindow::showDocument() {
-  setWindowTitle(tr("%1 — Cutis").arg(document_->name()));
+void MainWindow::connectMessages(DocumentPage& page) {
+  const auto showError = [this](const QString& sentence) {
+    progress_->showMessage(sentence, true);
+  };
+  connect(&page.document(), &Document::failed, this, showError);
+  connect(&page.server(), &ViewServer::failed, this, showError);
+  connect(&page.jobs(), &JobRunner::failed, this,
+          [showError](JobId, const QString& sentence) { showError(sentence); });
+  connect(&page.document(), &Document::noticed, this,
+          [this](const QString& sentence) { progress_->showMessage(sentence, false); });
+}
+
+void MainWindow::showCurrent() {
+  const bool isOpen = document().isOpen();
+  setWindowTitle(isOpen ? tr("%1 — Cutis").arg(document().name()) : tr("Cutis"));
   // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
-  exportButton_->show();
-  pages_->setCurrentWidget(workspace_);
-  progress_->setMessagesShown(true);
-  viewport_->setFocus();
+  exportButton_->setVisible(isOpen);
+  if (!isOpen) start_->setRecentFiles(opener_->recentFiles());
+  contents_->setCurrentWidget(isOpen ? static_cast<QWidget*>(tabs_) : start_);
+  progress_->setMessagesShown(isOpen);
+  if (isOpen) viewport().setFocus();
+  refreshCommands();
 }
 
+// While the tables are filled there are no commands yet.
 void MainWindow::refreshCommands() {
-  commands_->refresh();
   const QAction* action = commands_->action("file.export");
+  if (action == nullptr) return;
+  commands_->refresh();
   exportButton_->setEnabled(action->isEnabled());
   exportButton_->setToolTip(action->isEnabled() ? QString() : action->toolTip());
 }
 
 bool MainWindow::isIdle() const {
-  return !jobs_.isBusy() && jobs_.isIdle() && server_->isIdle();
+  const auto pages = tabs_->pages();
+  return !jobs_.isBusy() && jobs_.isIdle() &&
+         std::all_of(pages.begin(), pages.end(),
+                     [](const DocumentPage* page) { return page->isIdle(); });
+}
+
+Document& MainWindow::document() {
+  return tabs_->current().document();
+}
+
+Workspace& MainWindow::workspace() {
+  return tabs_->current().workspace();
+}
+
+ViewController& MainWindow::views() {
+  return tabs_->current().views();
+}
+
+EditController& MainWindow::edits() {
+  return tabs_->current().edits();
+}
+
+LightController& MainWindow::light() {
+  return tabs_->current().light();
+}
+
+FitController& MainWindow::fit() {
+  return tabs_->current().fit();
+}
+
+TrainingController& MainWindow::training() {
+  return tabs_->current().training();
+}
+
+ExportController& MainWindow::exports() {
+  return tabs_->current().exports();
+}
+
+Viewport& MainWindow::viewport() {
+  return tabs_->current().viewport();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -176,15 +235,15 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  training_->stop();
+  for (DocumentPage* page : tabs_->pages())
+    page->closeDialogs();
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());
-  settings.setValue(kLayout, workspace_->saveLayout());
+  settings.setValue(kLayout, workspace().saveLayout());
   event->accept();
 }
 
 void MainWindow::restoreSettings() {
-  start_->setRecentFiles(opener_->recentFiles());
   const QSettings settings;
   // A screen may have become smaller, or have gone.
   const QRect room = screen()->availableGeometry();
@@ -194,7 +253,7 @@ void MainWindow::restoreSettings() {
     setGeometry(withinScreen(geometry(), room));
   }
   // A layout that is not one leaves the docks where the table says.
-  workspace_->restoreLayout(settings.value(kLayout).toByteArray());
+  workspace().restoreLayout(settings.value(kLayout).toByteArray());
 }
 
 }  // namespace cutis

@@ -1,17 +1,15 @@
 #pragma once
 
-// The editor's window: the start page, or the workspace with picture and docks, above the progress
-// strip. It owns the document and everything that works for it, and joins them; what they do stands
-// with them. Interface thread only.
+// The editor's window: the start page, or the documents behind their tabs, above the progress
+// strip. It joins them; what they do stands with them. Interface thread only.
 
 #include <memory>
 
 #include <QMainWindow>
 
-#include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
+#include "src/app/open/fit_choice.h"
 
 class QPushButton;
 class QStackedWidget;
@@ -19,9 +17,13 @@ class QStackedWidget;
 namespace cutis {
 
 class CommandRegistry;
+class Document;
+class DocumentPage;
+class DocumentTabs;
 class EditController;
 class ExportController;
 class FitController;
+class JobDisplay;
 class LightController;
 class OpenController;
 class ProgressStrip;
@@ -41,18 +43,23 @@ class MainWindow : public QMainWindow {
   // Nothing is being read, fitted, drawn or written.
   bool isIdle() const;
 
-  Document& document() { return *document_; }
+  // How documents are fitted at first. Before anything is opened.
+  void setUsualFit(const FitChoice& choice);
+
   CommandRegistry& commands() { return *commands_; }
-  Workspace& workspace() { return *workspace_; }
-  ViewController& views() { return *views_; }
-  EditController& edits() { return *edits_; }
-  LightController& light() { return *light_; }
-  FitController& fit() { return *fit_; }
-  TrainingController& training() { return *training_; }
   OpenController& opener() { return *opener_; }
-  ExportController& exports() { return *exports_; }
-  Viewport& viewport() { return *viewport_; }
   ProgressStrip& progress() { return *progress_; }
+  DocumentTabs& tabs() { return *tabs_; }
+  // Of the current page, here and below.
+  Document& document();
+  Workspace& workspace();
+  ViewController& views();
+  EditController& edits();
+  LightController& light();
+  FitController& fit();
+  TrainingController& training();
+  ExportController& exports();
+  Viewport& viewport();
 
  protected:
   // What is dropped anywhere in the window is opened.
@@ -64,32 +71,26 @@ class MainWindow : public QMainWindow {
  private:
   void fillTables();
   void layOut();
-  void connectDocument();
   void connectStartPage();
-  void showDocument();
+  void connectOpening();
+  void connectPage(DocumentPage& page);
+  void connectMessages(DocumentPage& page);
+  void showCurrent();
   void refreshCommands();
   void restoreSettings();
 
   std::unique_ptr<Engine> engine_;
-  JobRunner jobs_;
-  std::unique_ptr<Document> document_;
-  std::unique_ptr<ViewServer> server_;
+  JobRunner jobs_;  // of the window itself; each page has its own
+  FitChoice usualFit_;
 
-  QStackedWidget* pages_;
+  QStackedWidget* contents_;
   StartPage* start_;
-  Viewport* viewport_;
-  Workspace* workspace_;
   ProgressStrip* progress_;
+  JobDisplay* jobDisplay_;
   QPushButton* exportButton_;
   CommandRegistry* commands_;
-  // They go before what they work on.
-  std::unique_ptr<ViewController> views_;
-  std::unique_ptr<EditController> edits_;
-  std::unique_ptr<LightController> light_;
-  std::unique_ptr<FitController> fit_;
-  std::unique_ptr<TrainingController> training_;
-  std::unique_ptr<OpenController> opener_;
-  std::unique_ptr<ExportController> exports_;
+  OpenController* opener_;
+  DocumentTabs* tabs_;
 };
 
 }  // namespace cutis

@@ -1,0 +1,81 @@
+#pragma once  // internal to ui/window
+
+// What the window has of one document: the document itself, its picture, its docks and all that
+// works for it. A page that nothing was opened in yet is blank. Interface thread only.
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <QWidget>
+
+#include "src/app/document/document.h"
+#include "src/app/document/view_server.h"
+#include "src/app/engine.h"
+#include "src/app/job_runner.h"
+
+namespace cutis {
+
+class CommandRegistry;
+class EditController;
+class ExportController;
+class FitController;
+class LightController;
+class ProgressStrip;
+class TrainingController;
+class ViewController;
+class Viewport;
+class Workspace;
+
+class DocumentPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  // All outlive the page. The strip shows the read-out under the cursor and what controllers have
+  // to say.
+  DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegistry& commands,
+               QWidget* parent = nullptr);
+  // Stops what the page has under way and waits for it.
+  ~DocumentPage() override;
+
+  // Opens a file, or the embedded sample where the path is empty.
+  void open(const std::filesystem::path& path, const OpenChoice& choice);
+  // What was last opened here, or is on its way, is this.
+  bool isFor(const std::filesystem::path& path) const;
+
+  // Nothing of it is being read, fitted, drawn or written.
+  bool isIdle() const;
+  // Nothing is open or on its way.
+  bool isBlank() const { return !document_->isOpen() && jobs_.isIdle(); }
+  // Closes what stands before the window because of the page.
+  void closeDialogs();
+
+  JobRunner& jobs() { return jobs_; }
+  Document& document() { return *document_; }
+  ViewServer& server() { return *server_; }
+  Viewport& viewport() { return *viewport_; }
+  Workspace& workspace() { return *workspace_; }
+  ViewController& views() { return *views_; }
+  EditController& edits() { return *edits_; }
+  LightController& light() { return *light_; }
+  FitController& fit() { return *fit_; }
+  TrainingController& training() { return *training_; }
+  ExportController& exports() { return *exports_; }
+
+ private:
+  JobRunner jobs_;
+  std::optional<std::filesystem::path> wanted_;
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<ViewServer> server_;
+  Viewport* viewport_;
+  Workspace* workspace_;
+  // They go before what they work on.
+  std::unique_ptr<ViewController> views_;
+  std::unique_ptr<EditController> edits_;
+  std::unique_ptr<LightController> light_;
+  std::unique_ptr<FitController> fit_;
+  std::unique_ptr<TrainingController> training_;
+  std::unique_ptr<ExportController> exports_;
+};
+
+}  // namespace cutis

@@ -1,0 +1,181 @@
+#include "ui/window/document_tabs.h"
+
+#include <QMouseEvent>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "ui/docks/workspace.h"
+#include "ui/window/document_page.h"
+
+namespace cutis {
+namespace {
+
+class ClosableTabBar : public QTabBar {
+ public:
+  using QTabBar::QTabBar;
+
+ protected:
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    const int tab = tabAt(event->pos());
+    if (event->button() == Qt::MiddleButton && tab >= 0) Q_EMIT tabCloseRequested(tab);
+    QTabBar::mouseReleaseEvent(event);
+  }
+};
+
+}  // namespace
+
+DocumentTabs::DocumentTabs(MakePage makePage, QWidget* parent)
+    : QWidget(parent),
+      makePage_(std::move(makePage)),
+      bar_(new ClosableTabBar(this)),
+      stack_(new QStackedWidget(this)) {
+  bar_->setAccessibleName(tr("Documents"));
+  bar_->setTabsClosable(true);
+  bar_->setMovable(true);
+  bar_->setExpanding(false);
+  bar_->setDocumentMode(true);
+  bar_->setElideMode(Qt::ElideMiddle);
+  // One document needs no tab.
+  bar_->setAutoHide(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(bar_);
+  column->addWidget(stack_, 1);
+  connect(bar_, &QTabBar::currentChanged, this, [this](int tab) {
+    if (tab >= 0) makeCurrent(pageOf(tab));
+  });
+  connect(bar_, &QTabBar::tabCloseRequested, this,
+          [this](int tab) { Q_EMIT closeWanted(pageOf(tab)); });
+}
+
+// While those whom pages tell that they go are still there.
+DocumentTabs::~DocumentTabs() {
+  for (DocumentPage* page : pages())
+    delete page;
+}
+
+void DocumentTabs::begin() {
+  makePage();
+}
+
+DocumentPage& DocumentTabs::current() const {
+  return static_cast<DocumentPage&>(*stack_->currentWidget());
+}
+
+std::vector<DocumentPage*> DocumentTabs::pages() const {
+  std::vector<DocumentPage*> all;
+  for (int k = 0; k < stack_->count(); ++k)
+    all.push_back(static_cast<DocumentPage*>(stack_->widget(k)));
+  return all;
+}
+
+int DocumentTabs::count() const {
+  return bar_->count();
+}
+
+DocumentPage& DocumentTabs::makePage() {
+  DocumentPage* page = makePage_(stack_);
+  stack_->addWidget(page);
+  connect(&page->document(), &Document::opened, this, [this, page] { takeOpened(*page); });
+  // What could not be opened, or was cancelled, leaves no page. Not from within its own signal.
+  connect(
+      &page->jobs(), &JobRunner::idle, this, [this] { discardBlankPages(); }, Qt::QueuedConnection);
+  Q_EMIT pageMade(*page);
+  return *page;
+}
+
+void DocumentTabs::open(const std::filesystem::path& path) {
+  for (DocumentPage* page : pages()) {
+    if (!page->isFor(path)) continue;
+    // What is still being read will come by itself.
+    if (tabOf(*page) >= 0) present(*page);
+    return;
+  }
+  openAs(path, {});
+}
+
+void DocumentTabs::openAs(const std::filesystem::path& path, const OpenChoice& choice) {
+  DocumentPage& page = current().isBlank() ? current() : makePage();
+  page.open(path, choice);
+}
+
+int DocumentTabs::tabOf(const DocumentPage& page) const {
+  for (int tab = 0; tab < bar_->count(); ++tab) {
+    if (&pageOf(tab) == &page) return tab;
+  }
+  return -1;
+}
+
+DocumentPage& DocumentTabs::pageOf(int tab) const {
+  return *static_cast<DocumentPage*>(bar_->tabData(tab).value<QWidget*>());
+}
+
+void DocumentTabs::takeOpened(DocumentPage& page) {
+  if (tabOf(page) < 0) {
+    // The data come before the signal that looks for them.
+    const QSignalBlocker silent(bar_);
+    bar_->setTabData(bar_->addTab({}), QVariant::fromValue<QWidget*>(&page));
+  }
+  refreshTitles();
+  present(page);
+  Q_EMIT currentChanged();
+  QTimer::singleShot(0, this, &DocumentTabs::discardBlankPages);
+}
+
+void DocumentTabs::refreshTitles() {
+  for (int tab = 0; tab < bar_->count(); ++tab) {
+    const Document& document = pageOf(tab).document();
+    // A single & would be taken as a mnemonic.
+    bar_->setTabText(tab, document.name().replace("&", "&&"));
+    if (QWidget* button = bar_->tabButton(tab, QTabBar::RightSide)) {
+      button->setAccessibleName(tr("Close %1").arg(document.name()));
+      button->setToolTip(tr("Close"));
+    }
+    const auto& files = document.sourceFiles();
+    bar_->setTabToolTip(
+        tab, files.empty() ? document.name() : QString::fromStdString(files.front().string()));
+  }
+}
+
+void DocumentTabs::present(DocumentPage& page) {
+  bar_->setCurrentIndex(tabOf(page));
+  makeCurrent(page);
+}
+
+void DocumentTabs::step(int direction) {
+  if (bar_->count() == 0) return;
+  bar_->setCurrentIndex((bar_->currentIndex() + direction + bar_->count()) % bar_->count());
+}
+
+// Docks stand where they stood, whichever document is looked at.
+void DocumentTabs::makeCurrent(DocumentPage& page) {
+  DocumentPage& before = current();
+  if (&before == &page) return;
+  page.workspace().restoreLayout(before.workspace().saveLayout());
+  stack_->setCurrentWidget(&page);
+  Q_EMIT currentChanged();
+}
+
+void DocumentTabs::close(DocumentPage& page) {
+  const int tab = tabOf(page);
+  page.closeDialogs();
+  if (bar_->count() <= 1) makeCurrent(makePage());
+  // The bar chooses a neighbour where this one was current.
+  if (tab >= 0) bar_->removeTab(tab);
+  stack_->removeWidget(&page);
+  delete &page;
+  Q_EMIT currentChanged();
+}
+
+void DocumentTabs::discardBlankPages() {
+  for (DocumentPage* page : pages()) {
+    if (page == &current() || !page->isBlank()) continue;
+    stack_->removeWidget(page);
+    delete page;
+  }
+}
+
+}  // namespace cutis
