@@ -22,7 +22,9 @@
 #include <QThread>
 #include <QTimer>
 
+#include "src/app/document/document.h"
 #include "src/files/io/platform.h"
+#include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/theme/theme.h"
 #include "ui/view/view_controller.h"
@@ -123,18 +125,22 @@ class WindowBench {
   WindowBench(PaintClock& clock, QSize size, int moves) : clock_(clock), moves_(moves) {
     window_ = std::make_unique<MainWindow>(std::make_unique<Engine>(cacheFolder()));
     window_->resize(size);
-    clock_.watch(&window_->viewport());
     window_->show();
     pumpUntil(milliseconds() + 300);
   }
 
   bool run(const QString& file) {
     std::printf("%s\n", file.isEmpty() ? "the sample" : file.toUtf8().constData());
+    clock_.watch(&window_->viewport());
     if (!open(file)) return false;
     window_->views().show(ViewKind::editedAlbedo);
     waitUntilIdle();
     drag();
-    std::printf("  memory: now %.0f MiB, at most %.0f MiB\n", memory("VmRSS"), memory("VmHWM"));
+    const double held = memory("VmRSS");
+    window_->commands().run("file.close");
+    pumpUntil(milliseconds() + 1000);
+    std::printf("  memory: open %.0f MiB, closed %.0f MiB, at most %.0f MiB\n", held,
+                memory("VmRSS"), memory("VmHWM"));
     std::fflush(stdout);
     return true;
   }

@@ -151,7 +151,7 @@ void MainWindow::connectMessages(DocumentPage& page) {
 }
 
 void MainWindow::showCurrent() {
-  const bool isOpen = document().isOpen();
+  const bool isOpen = document().isOpen() || document().isPreviewed();
   setWindowTitle(isOpen ? tr("%1 — Cutis").arg(document().name()) : tr("Cutis"));
   // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
   exportButton_->setVisible(isOpen);

@@ -91,11 +91,12 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
                             const SourceOptions& options, Opener open) {
   jobs_.cancel(opening_);
   const bool showsPreview = !isOpen() && !path.empty();
-  opening_ = jobs_.start(
-      tr("Open %1").arg(name),
-      [this, path, options, showsPreview, open = std::move(open)](const JobRunner::Handle& job) {
+  opening_ =
+      jobs_.start(tr("Open %1").arg(name), [this, name, path, options, showsPreview,
+                                            open = std::move(open)](const JobRunner::Handle& job) {
         auto preview = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
-        if (preview) job.post([this, shown = *std::move(preview)] { showPreview(shown); });
+        if (preview)
+          job.post([this, name, shown = *std::move(preview)] { showPreview(name, shown); });
         auto opened = open(contextOf(job));
         if (opened.failed()) {
           job.post([this, path, sentence = sentenceOf(opened.error())] {
@@ -108,7 +109,8 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
       });
 }
 
-void Document::showPreview(const SourcePreview& preview) {
+void Document::showPreview(const QString& name, const SourcePreview& preview) {
+  name_ = name;
   isPreviewed_ = true;
   Q_EMIT previewed(preview);
 }

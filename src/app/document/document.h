@@ -64,6 +64,8 @@ class Document : public QObject {
   void open(const std::filesystem::path& path, const OpenChoice& choice = {});
 
   bool isOpen() const { return scene_.has_value(); }
+  // Not yet, but what will be can be seen.
+  bool isPreviewed() const { return isPreviewed_; }
   QString name() const { return name_; }
   // Whether the fit is complete.
   bool isFitted() const { return fitted_; }
@@ -117,7 +119,8 @@ class Document : public QObject {
   std::optional<ParameterVector> editedParametersAt(int x, int y) const;
 
  Q_SIGNALS:
-  // Nothing is open yet, and this is a first impression of what will be.
+  // Nothing is open yet, and this is a first impression of what will be: opened() or previewEnded()
+  // follows.
   void previewed(const cutis::SourcePreview& preview);
   // Nothing came of it: it could not be read, or was cancelled.
   void previewEnded();
@@ -156,7 +159,7 @@ class Document : public QObject {
   // path: empty for the sample.
   void startOpening(const QString& name, const std::filesystem::path& path,
                     const SourceOptions& options, Opener open);
-  void showPreview(const SourcePreview& preview);
+  void showPreview(const QString& name, const SourcePreview& preview);
   void endPreview();
   // On the thread of the job.
   Result<Opened> openedSource(std::vector<std::filesystem::path> files, const FitChoice& choice,

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "src/images/capture/capture_file.h"
-#include "src/images/image_preview.h"
+#include "src/images/preview/image_preview.h"
 
 namespace cutis {
 

@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images/codec
+#pragma once
 
 // How libjpeg reports: by a jump out of its own functions where it gives up, else by a message that
 // is kept.

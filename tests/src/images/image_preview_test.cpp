@@ -1,6 +1,6 @@
 // The first impression of a picture is that picture, coarser.
 
-#include "src/images/image_preview.h"
+#include "src/images/preview/image_preview.h"
 
 #include <cmath>
 #include <fstream>

@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images
+#pragma once  // internal to src/images/preview
 
 // A JPEG at a fraction of its resolution, by its own transform: each pixel stands for a square of
 // reduction × reduction pixels, and most of the work of decoding them is left out.

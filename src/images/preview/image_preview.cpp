@@ -1,12 +1,12 @@
-#include "src/images/image_preview.h"
+#include "src/images/preview/image_preview.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "src/images/codec/reduced_jpeg.h"
 #include "src/images/image_file.h"
+#include "src/images/preview/reduced_jpeg.h"
 
 namespace cutis {
 namespace {

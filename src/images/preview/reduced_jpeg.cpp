@@ -1,4 +1,4 @@
-#include "src/images/codec/reduced_jpeg.h"
+#include "src/images/preview/reduced_jpeg.h"
 
 #include <algorithm>
 #include <cstddef>
