@@ -166,6 +166,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QCoreApplication::setApplicationName("cutis");
   QCoreApplication::setOrganizationName("cutis");
+  QGuiApplication::setApplicationDisplayName("Cutis");
   QCoreApplication::setApplicationVersion(CUTIS_VERSION);
   const char* pinned = std::getenv("CUTIS_ISA");
   const auto isa = cutis::pinInstructionSet(pinned == nullptr ? "" : pinned);

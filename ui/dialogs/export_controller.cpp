@@ -48,7 +48,11 @@ void ExportController::exportAlbedo(const QString& path) {
                               : tr("Written: %1").arg(path);
     for (const std::string& note : outcome.notes)
       sentence += "; " + QString::fromStdString(note);
-    job.post([this, sentence, failed, name] { progress_.showMessage(sentence, failed, name); });
+    const bool isWorthKeeping = failed || !outcome.notes.empty();
+    job.post([this, sentence, failed, name, isWorthKeeping] {
+      progress_.showMessage(sentence, failed, name);
+      if (isWorthKeeping) Q_EMIT noticed(sentence, failed);
+    });
   });
 }
 

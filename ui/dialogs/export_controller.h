@@ -29,6 +29,10 @@ class ExportController : public QObject {
   // By a dialog.
   void choose();
 
+ Q_SIGNALS:
+  // What was clipped or left out on the way, or why nothing was written.
+  void noticed(const QString& sentence, bool isError);
+
  private:
   Document& document_;
   Engine& engine_;

@@ -7,6 +7,7 @@
 #include "src/app/document/document.h"
 #include "src/app/job_runner.h"
 #include "src/app/open/image_inspection.h"
+#include "ui/dialogs/capture_controller.h"
 #include "ui/dialogs/format_filters.h"
 #include "ui/dialogs/open_as_dialog.h"
 #include "ui/widgets/progress_strip.h"
@@ -20,7 +21,13 @@ constexpr char kRecentFiles[] = "recentFiles";
 }  // namespace
 
 OpenController::OpenController(JobRunner& jobs, ProgressStrip& progress, QWidget* window)
-    : QObject(window), jobs_(jobs), progress_(progress), window_(window) {}
+    : QObject(window),
+      jobs_(jobs),
+      progress_(progress),
+      window_(window),
+      captures_(new CaptureController(jobs, progress, window)) {
+  connect(captures_, &CaptureController::openWanted, this, &OpenController::openWanted);
+}
 
 void OpenController::openSample() {
   progress_.clearMessages();
@@ -37,8 +44,21 @@ void OpenController::openAll(const QStringList& paths) {
     progress_.showMessage(
         tr("Only files and folders of this computer can be opened; save it here first"), true);
   }
+  CaptureController::Files files;
   for (const QString& path : paths)
-    Q_EMIT openWanted(QFileInfo(path).absoluteFilePath().toStdString());
+    files.emplace_back(QFileInfo(path).absoluteFilePath().toStdString());
+  const CaptureController::Files photographs = CaptureController::photographsOf(files);
+  if (photographs.size() > 1) {
+    // A folder is opened as a whole.
+    captures_->look(photographs, files.size() == 1);
+    return;
+  }
+  for (const std::filesystem::path& file : files)
+    Q_EMIT openWanted(file);
+}
+
+void OpenController::choosePhotographs() {
+  captures_->choose();
 }
 
 void OpenController::chooseCapture() {

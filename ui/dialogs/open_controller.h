@@ -13,6 +13,7 @@ class QWidget;
 
 namespace cutis {
 
+class CaptureController;
 class JobRunner;
 class OpenAsDialog;
 class ProgressStrip;
@@ -28,10 +29,12 @@ class OpenController : public QObject {
   void openSample();
   // A capture's folder, capture.json, an image or maps.
   void open(const QString& path);
-  // What was dropped or named at once, each as a document of its own.
+  // What was dropped or named at once, each as a document of its own; photographs of one scene, or
+  // of a folder without capture.json, as one capture, once the user has said how.
   void openAll(const QStringList& paths);
   // By a dialog.
   void chooseCapture();
+  void choosePhotographs();
   void chooseImage();
   // An image by a dialog, and then how it is to be read by another.
   void chooseImageAs();
@@ -55,6 +58,7 @@ class OpenController : public QObject {
   JobRunner& jobs_;
   ProgressStrip& progress_;
   QWidget* window_;
+  CaptureController* captures_;
 };
 
 }  // namespace cutis

@@ -25,16 +25,21 @@ class EditController : public QObject {
   void attach(EditPanel& panel);
 
   // While the photograph is shown the edited albedo takes its place: an edit must be seen. Ignored
-  // while nothing is open.
+  // while nothing is open. Where the control does not move any more this is a whole step of undo.
   void setFactor(int parameter, double factor, bool stillMoving);
   void reset();
 
  Q_SIGNALS:
   // Indexed by Parameter.
   void factorsChanged(const std::array<double, cutis::kParameterCount>& factors);
+  // Whether there are edits that factors do not show.
+  void furtherEditsChanged(bool any);
 
  private:
+  void change(int parameter, double factor, bool stillMoving);
   void showFactors();
+  // Why nothing can be edited; empty if it can.
+  QString objection() const;
 
   Document& document_;
   ViewController& views_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QApplication>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +13,7 @@
 
 #include "ui/theme/theme.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/message_mark.h"
 
 namespace cutis {
 namespace {
@@ -23,6 +23,7 @@ constexpr int kBarWidth = 140;
 constexpr int kSteps = 1000;
 constexpr std::size_t kMostMessages = 40;  // older ones are forgotten
 constexpr int kReadingMs = 1000;           // after so long a message is taken to be read
+constexpr int kNoticeMs = 10000;           // after so long a notice is old news
 
 // Draws its cross itself: fonts without the sign would show a box, and pictures blur at 1.5 ×.
 class CrossButton : public QToolButton {
@@ -48,34 +49,6 @@ class CrossButton : public QToolButton {
     if (hasFocus()) theme::drawFocusRing(painter, QRectF(rect()));
   }
 };
-
-// A triangle for errors, a disc for notices: never colour alone.
-QPixmap messageMark(bool isError) {
-  constexpr int kSize = 14;
-  const double ratio = qApp->devicePixelRatio();
-  QPixmap pixmap(QSize(kSize, kSize) * ratio);
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  if (isError) {
-    painter.setBrush(theme::tones().error);
-    painter.drawPolygon(QPolygonF({{7, 0.5}, {13.8, 13}, {0.2, 13}}));
-  } else {
-    painter.setBrush(theme::tones().accent);
-    painter.drawEllipse(QPointF(7, 7), 6.5, 6.5);
-  }
-  painter.setPen(QPen(theme::tones().field, 1.8, Qt::SolidLine, Qt::RoundCap));
-  if (isError) {
-    painter.drawLine(QPointF(7, 5), QPointF(7, 8.4));
-    painter.drawPoint(QPointF(7, 11));
-  } else {
-    painter.drawPoint(QPointF(7, 4));
-    painter.drawLine(QPointF(7, 6.8), QPointF(7, 10.2));
-  }
-  return pixmap;
-}
 
 }  // namespace
 
@@ -123,8 +96,15 @@ ProgressStrip::ProgressStrip(QWidget* parent)
       dismiss();
     }
   });
+  age_.setSingleShot(true);
+  age_.setInterval(kNoticeMs);
+  connect(&age_, &QTimer::timeout, this, &ProgressStrip::dismiss);
   clearJob();
   showCurrent();
+}
+
+void ProgressStrip::setNoticeLife(int ms) {
+  age_.setInterval(ms);
 }
 
 void ProgressStrip::setJob(const JobState& job) {
@@ -209,7 +189,13 @@ void ProgressStrip::showCurrent() {
   messageMark_->setVisible(any);
   message_->setVisible(any);
   dismiss_->setVisible(any);
-  if (message_->text() != message()) shownFor_.start();
+  const bool isAnother = message_->text() != message();
+  if (isAnother) shownFor_.start();
+  if (!any || messageIsError()) {
+    age_.stop();
+  } else if (isAnother || !age_.isActive()) {
+    age_.start();
+  }
   message_->setText(message());
   messageMark_->setPixmap(messageMark(messageIsError()));
   messageMark_->setAccessibleName(messageIsError() ? tr("Error") : tr("Notice"));

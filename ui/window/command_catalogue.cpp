@@ -4,6 +4,8 @@
 #include <QWidget>
 
 #include "src/app/document/document.h"
+#include "ui/commands/command_palette.h"
+#include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/about.h"
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/open_controller.h"
@@ -14,6 +16,7 @@
 #include "ui/view/view_catalogue.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
+#include "ui/window/preset_commands.h"
 
 namespace cutis {
 namespace {
@@ -49,6 +52,13 @@ Rows fileCommands(const Editor& editor) {
        .toolTip = tr("Photographs of one subject under several lights, with their capture.json"),
        .shortcuts = {QKeySequence(tr("Ctrl+K"))},
        .run = [&open] { open.chooseCapture(); }},
+      {.id = "file.openPhotographs",
+       .menu = Menu::file,
+       .text = tr("Open &photographs…"),
+       .toolTip = tr("Photographs of one subject under several lights, without a capture.json: you "
+                     "say which is which"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+K"))},
+       .run = [&open] { open.choosePhotographs(); }},
       {.id = "file.openImage",
        .menu = Menu::file,
        .text = tr("Open &image or maps…"),
@@ -159,25 +169,26 @@ Rows viewCommands(const Editor& editor) {
   Rows rows;
   for (const ViewDescription& view : viewCatalogue()) {
     const auto number = rows.size() + 1;
-    rows.push_back({.id = "view." + view.id,
-                    .menu = Menu::view,
-                    .text = view.name,
-                    .toolTip = view.toolTip,
-                    .beginsSection = rows.empty(),
-                    .run = [editor, kind = view.kind] { editor.page().views().show(kind); },
-                    .objection =
-                        [editor, kind = view.kind] {
-                          if (!editor.document().isOpen()) return unlessOpen(editor.document());
-                          return editor.page().views().isOffered(kind)
-                                     ? QString()
-                                     : tr("Maps alone hold no photograph; open the photographs "
-                                          "they were fitted to");
-                        },
-                    .isOn =
-                        [editor, kind = view.kind] {
-                          return editor.document().isOpen() &&
-                                 editor.page().views().current() == kind;
-                        }});
+    rows.push_back(
+        {.id = "view." + view.id,
+         .menu = Menu::view,
+         .text = view.name,
+         .toolTip = view.toolTip,
+         .beginsSection = rows.empty(),
+         .run = [editor, kind = view.kind] { editor.page().views().show(kind); },
+         .objection =
+             [editor, kind = view.kind] {
+               if (!editor.document().isOpen()) return unlessOpen(editor.document());
+               return editor.page().views().isOffered(kind)
+                          ? QString()
+                          : tr("Maps alone hold no photograph; open the photographs "
+                               "they were fitted to");
+             },
+         .textNow = [editor, kind = view.kind] { return viewName(kind, editor.document()); },
+         .isOn =
+             [editor, kind = view.kind] {
+               return editor.document().isOpen() && editor.page().views().current() == kind;
+             }});
     if (number <= 10) {
       rows.back().shortcuts = {QKeySequence(QString("Alt+%1").arg(number % 10))};
     }
@@ -254,10 +265,23 @@ Rows fitCommands(const Editor& editor) {
 
 Rows helpCommands(const Editor& editor) {
   return {
+      {.id = "help.palette",
+       .menu = Menu::help,
+       .text = tr("&Find command…"),
+       .toolTip = tr("Any command by a few letters of its name"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+P"))},
+       .run = [&palette = editor.palette] { palette.open(); }},
+      {.id = "help.shortcuts",
+       .menu = Menu::help,
+       .text = tr("&Keyboard shortcuts"),
+       .toolTip = tr("All shortcuts, to look at and to change"),
+       .shortcuts = {Qt::Key_Question},
+       .run = [&shortcuts = editor.shortcuts] { shortcuts.open(); }},
       {.id = "help.about",
        .menu = Menu::help,
        .text = tr("&About Cutis"),
        .shortcuts = {QKeySequence(tr("Shift+F1"))},
+       .beginsSection = true,
        .run = [&window = editor.window] { showAbout(window); }},
   };
 }
@@ -266,8 +290,8 @@ Rows helpCommands(const Editor& editor) {
 
 std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
-  for (const auto& part : {fileCommands, editCommands, zoomCommands, viewCommands, dockCommands,
-                           tabCommands, fitCommands, helpCommands}) {
+  for (const auto& part : {fileCommands, editCommands, presetCommands, zoomCommands, viewCommands,
+                           dockCommands, tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

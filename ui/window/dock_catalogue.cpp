@@ -3,13 +3,19 @@
 #include <QCoreApplication>
 
 #include "ui/commands/command_registry.h"
+#include "ui/commands/context_menu.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/edit_panel.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/fit_panel.h"
+#include "ui/docks/history_controller.h"
+#include "ui/docks/history_panel.h"
+#include "ui/docks/info_controller.h"
+#include "ui/docks/info_panel.h"
 #include "ui/docks/light_catalogue.h"
 #include "ui/docks/light_controller.h"
 #include "ui/docks/light_panel.h"
+#include "ui/docks/preset_catalogue.h"
 #include "ui/docks/spectrum_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/plot/spectrum_plot.h"
@@ -25,8 +31,10 @@ QString tr(const char* text) {
   return QCoreApplication::translate("DockCatalogue", text);
 }
 
-QWidget* makeViews(DocumentPage& page) {
+QWidget* makeViews(DocumentPage& page, CommandRegistry& commands) {
   auto* strip = new ViewStrip;
+  giveContextMenu(*strip, commands,
+                  {"view.wholePicture", "view.oneToOne", "", "file.export", "", "dock.views"});
   page.views().attach(*strip);
   return strip;
 }
@@ -37,10 +45,27 @@ QWidget* makeSpectrum(DocumentPage& page, ProgressStrip& progress) {
   return plot;
 }
 
-QWidget* makeEdit(DocumentPage& page) {
+QWidget* makeEdit(DocumentPage& page, CommandRegistry& commands) {
   auto* panel = new EditPanel;
+  QStringList presets;
+  for (const PresetDescription& preset : presetCatalogue())
+    presets << "edit.preset." + preset.id;
+  panel->setPresets(commandMenu(*panel, commands,
+                                presets + QStringList{"", "edit.loadPreset", "edit.savePreset"}));
   page.edits().attach(*panel);
   return new PanelScroll(panel);
+}
+
+QWidget* makeHistory(DocumentPage& page) {
+  auto* panel = new HistoryPanel;
+  new HistoryController(page.document(), *panel, panel);
+  return panel;
+}
+
+QWidget* makeInfo(DocumentPage& page) {
+  auto* panel = new InfoPanel;
+  new InfoController(page.document(), page.server(), page.exports(), *panel, panel);
+  return panel;
 }
 
 QWidget* makeLight(DocumentPage& page) {
@@ -80,12 +105,12 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& pr
        .area = Qt::LeftDockWidgetArea,
        .shortcut = Qt::Key_F5,
        .extent = 152,
-       .makePanel = [&page] { return makeViews(page); },
+       .makePanel = [&page, &commands] { return makeViews(page, commands); },
        .seen = [&views = page.views()](QWidget&, bool seen) { views.setStripSeen(seen); }},
       {.id = "edit",
        .title = tr("&Edit"),
        .shortcut = Qt::Key_F6,
-       .makePanel = [&page] { return makeEdit(page); }},
+       .makePanel = [&page, &commands] { return makeEdit(page, commands); }},
       {.id = "light",
        .title = tr("&Light"),
        .shortcut = Qt::Key_F7,
@@ -94,6 +119,16 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& pr
        .title = tr("&Fit"),
        .shortcut = Qt::Key_F8,
        .makePanel = [&page, &commands] { return makeFit(page, commands); }},
+      {.id = "history",
+       .title = tr("&History"),
+       .shortcut = QKeySequence(tr("Ctrl+H")),
+       .shownAtFirst = false,
+       .makePanel = [&page] { return makeHistory(page); }},
+      {.id = "info",
+       .title = tr("&Info"),
+       .shortcut = QKeySequence(tr("Ctrl+I")),
+       .shownAtFirst = false,
+       .makePanel = [&page] { return makeInfo(page); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),
        .area = Qt::BottomDockWidgetArea,

@@ -2,11 +2,13 @@
 
 #include <QVBoxLayout>
 
+#include "ui/commands/context_menu.h"
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/light_controller.h"
+#include "ui/docks/preset_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
@@ -23,6 +25,7 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
       workspace_(new Workspace(viewport_, this)),
       views_(std::make_unique<ViewController>(*document_, *server_, *viewport_)),
       edits_(std::make_unique<EditController>(*document_, *views_)),
+      presets_(std::make_unique<PresetController>(*document_, *views_, progress, this)),
       light_(std::make_unique<LightController>(*server_, *views_)),
       fit_(std::make_unique<FitController>(*document_)),
       training_(std::make_unique<TrainingController>(*document_, engine, jobs_, this)),
@@ -31,6 +34,10 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(workspace_);
   workspace_->add(dockCatalogue(*this, progress, commands));
+  giveContextMenu(
+      *viewport_, commands,
+      {"view.wholePicture", "view.oneToOne", "view.zoomIn", "view.zoomOut", "", "view.photograph",
+       "view.albedo", "view.skin", "", "edit.copyEdits", "edit.pasteEdits", "", "file.export"});
 }
 
 DocumentPage::~DocumentPage() {

@@ -21,6 +21,7 @@ class EditController;
 class ExportController;
 class FitController;
 class LightController;
+class PresetController;
 class ProgressStrip;
 class TrainingController;
 class ViewController;
@@ -57,6 +58,7 @@ class DocumentPage : public QWidget {
   Workspace& workspace() { return *workspace_; }
   ViewController& views() { return *views_; }
   EditController& edits() { return *edits_; }
+  PresetController& presets() { return *presets_; }
   LightController& light() { return *light_; }
   FitController& fit() { return *fit_; }
   TrainingController& training() { return *training_; }
@@ -72,6 +74,7 @@ class DocumentPage : public QWidget {
   // They go before what they work on.
   std::unique_ptr<ViewController> views_;
   std::unique_ptr<EditController> edits_;
+  std::unique_ptr<PresetController> presets_;
   std::unique_ptr<LightController> light_;
   std::unique_ptr<FitController> fit_;
   std::unique_ptr<TrainingController> training_;

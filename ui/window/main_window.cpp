@@ -15,7 +15,9 @@
 
 #include "src/app/document/document.h"
 #include "src/app/document/view_server.h"
+#include "ui/commands/command_palette.h"
 #include "ui/commands/command_registry.h"
+#include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/theme/theme.h"
@@ -79,7 +81,10 @@ void MainWindow::setUsualFit(const FitChoice& choice) {
 }
 
 void MainWindow::fillTables() {
-  commands_->add(commandCatalogue({*this, *tabs_, *opener_}));
+  auto* palette = new CommandPalette(*commands_, *this);
+  auto* shortcuts = new ShortcutSheet(*commands_, *this);
+  commands_->add(commandCatalogue({*this, *tabs_, *opener_, *palette, *shortcuts}));
+  ShortcutSettings(*commands_).restore();
   commands_->fill(*menuBar());
 }
 

@@ -90,6 +90,7 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
 void Document::startOpening(const QString& name, const std::filesystem::path& path,
                             const SourceOptions& options, Opener open) {
   jobs_.cancel(opening_);
+  Q_EMIT openingStarted();
   const bool showsPreview = !isOpen() && !path.empty();
   opening_ =
       jobs_.start(tr("Open %1").arg(name), [this, name, path, options, showsPreview,
@@ -339,6 +340,12 @@ void Document::undo() {
 void Document::redo() {
   if (!history_.canRedo()) return;
   history_.redo();
+  setEdits(false);
+}
+
+void Document::goToStep(std::size_t step) {
+  if (step >= history_.stepCount() || step == history_.position()) return;
+  history_.goTo(step);
   setEdits(false);
 }
 

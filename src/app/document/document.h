@@ -71,6 +71,7 @@ class Document : public QObject {
   bool isFitted() const { return fitted_; }
   // Whether the maps hold anything, a first impression at least.
   bool hasEstimate() const { return hasEstimate_; }
+  // Whether a fit is under way. Neither fitted nor fitting: the first one was cancelled.
   bool isFitting() const { return jobs_.isRunning(fitting_); }
   // The files this was made from; never written to.
   const std::vector<std::filesystem::path>& sourceFiles() const { return sourceFiles_; }
@@ -100,6 +101,8 @@ class Document : public QObject {
   void endGroup() { history_.closeGroup(); }
   void undo();
   void redo();
+  // Undoes or redoes up to a step of the history; one that is not there is ignored.
+  void goToStep(std::size_t step);
   const UndoHistory& history() const { return history_; }
 
   // The spectra of a pixel, original and edited, computed exactly, with the constants that were
@@ -124,6 +127,9 @@ class Document : public QObject {
   void previewed(const cutis::SourcePreview& preview);
   // Nothing came of it: it could not be read, or was cancelled.
   void previewEnded();
+  // What is said from now on is about what is being opened. It ends with opened() or with
+  // openingFailed(), or with neither where it is cancelled.
+  void openingStarted();
   // Something else is open now; its maps may still be empty.
   void opened();
   // The maps have new values. At most 20 times a second.
@@ -131,6 +137,7 @@ class Document : public QObject {
   // Maps, profile and what depends on the profile are others; size and edits are as they were.
   void sceneReplaced();
   void fitted();
+  // Or the first fit was cancelled, which leaves the choice as it is.
   void fitChoiceChanged();
   // There is no network for the lights and the profile; another method is used instead.
   void networkMissing();

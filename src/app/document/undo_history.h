@@ -29,8 +29,13 @@ class UndoHistory {
   // Names of what would be undone and redone.
   QString undoName() const { return canUndo() ? steps_[position_].name : QString(); }
   QString redoName() const { return canRedo() ? steps_[position_ + 1].name : QString(); }
-  void undo();  // precondition: canUndo()
-  void redo();  // precondition: canRedo()
+  // All steps in order; the first, without a name, is the state at the beginning.
+  std::size_t stepCount() const { return steps_.size(); }
+  std::size_t position() const { return position_; }  // of the current one
+  const QString& stepName(std::size_t step) const { return steps_[step].name; }
+  void goTo(std::size_t step);  // precondition: step < stepCount()
+  void undo();                  // precondition: canUndo()
+  void redo();                  // precondition: canRedo()
 
  private:
   struct Step {

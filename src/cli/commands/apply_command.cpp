@@ -119,12 +119,13 @@ ExportTarget appliedTargetOf(const ApplyCommand& command, const FitRequest& requ
                          .sources = {command.sources.front()}};
   target.inputs.push_back(command.maps);
   target.inputs.push_back(command.edit.mask);
+  target.inputs.push_back(command.edit.preset);
   return target;
 }
 
 Status runApplyCommand(const ApplyCommand& command, Session& session) {
   CUTIS_CHECK(checkSources(command));
-  CUTIS_TRY(edit, parseEdit(command.edit));
+  CUTIS_TRY(edits, parseEditOptions(command.edit, session.context.notice));
   CUTIS_TRY(request, parseFitOptions(command.fit));
   CUTIS_TRY(sampleType, bitDepth("--bit-depth", command.bitDepth));
   const ExportTarget target = appliedTargetOf(command, request, sampleType);
@@ -135,8 +136,8 @@ Status runApplyCommand(const ApplyCommand& command, Session& session) {
                         : openWithMaps(command, session, context.child(0.0, 0.6, "reading")));
   CUTIS_CHECK(loadEditMask(command.edit,
                            maskedPicture(*albedo.source, "'" + command.sources.front() + "'"),
-                           session.store, context.child(0.6, 0.62), edit));
-  albedo.skin.edits = {edit};
+                           session.store, context.child(0.6, 0.62), edits));
+  albedo.skin.edits = edits;
   albedo.pure = command.pure;
   return exportTo(target, albedo, session.engine, session.store, context.child(0.62, 1.0));
 }

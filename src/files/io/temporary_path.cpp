@@ -1,6 +1,7 @@
 #include "src/files/io/temporary_path.h"
 
 #include <atomic>
+#include <charconv>
 #include <mutex>
 #include <set>
 #include <string>
@@ -34,6 +35,31 @@ std::string shortened(std::string name, std::size_t bytes) {
   return name;
 }
 
+// Of a temporary's name: what stands before the process and after the number.
+struct NameParts {
+  std::string front;
+  std::string back;
+};
+
+NameParts namePartsOf(const fs::path& path) {
+  // A name may have 255 bytes, and what the file's own is given here must fit in as well. No writer
+  // knows an extension as long as that.
+  return {"." + shortened(path.stem().string(), 100) + "-",
+          ".partial" + shortened(path.extension().string(), 100)};
+}
+
+// rest: of its name, from the process on.
+bool isAbandoned(const std::string& rest, const fs::path& path) {
+  unsigned long process = 0;
+  const char* end = rest.data() + rest.size();
+  const auto [after, failure] = std::from_chars(rest.data(), end, process);
+  if (failure != std::errc() || after == end || *after != '-') return false;
+  // A number comes again; our own temporaries are known.
+  if (process != processId()) return !isProcessAlive(process);
+  const std::scoped_lock lock(registry().mutex);
+  return registry().paths.count(path) == 0;
+}
+
 void removeAll(const fs::path& path) {
   std::error_code ignored;
   fs::remove_all(path, ignored);
@@ -43,12 +69,23 @@ void removeAll(const fs::path& path) {
 
 fs::path temporaryBeside(const fs::path& path) {
   static std::atomic<unsigned> serial = 0;
-  // A name may have 255 bytes, and what the file's own is given here must fit in as well. No writer
-  // knows an extension as long as that.
-  const std::string name = "." + shortened(path.stem().string(), 100) + "-" +
-                           std::to_string(processId()) + "-" + std::to_string(serial++) +
-                           ".partial" + shortened(path.extension().string(), 100);
-  return path.parent_path() / name;
+  const NameParts parts = namePartsOf(path);
+  return path.parent_path() /
+         (parts.front + std::to_string(processId()) + "-" + std::to_string(serial++) + parts.back);
+}
+
+std::vector<fs::path> abandonedBeside(const fs::path& path) {
+  const NameParts parts = namePartsOf(path);
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::vector<fs::path> abandoned;
+  std::error_code error;
+  for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator();
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(parts.front) || !name.ends_with(parts.back)) continue;
+    if (isAbandoned(name.substr(parts.front.size()), at->path())) abandoned.push_back(at->path());
+  }
+  return abandoned;
 }
 
 TemporaryPath::TemporaryPath(fs::path path) : path_(std::move(path)) {
