@@ -10,33 +10,6 @@
 namespace cutis {
 namespace {
 
-// Below this a ratio of two models says nothing; far below the darkest skin in any channel.
-constexpr float kSmallestAlbedo = 1e-4f;
-
-PictureBuffer emptyPart(const Rect& rect, int step) {
-  PictureBuffer part;
-  part.width = (rect.width() + step - 1) / step;
-  part.height = (rect.height() + step - 1) / step;
-  return part;
-}
-
-// One vector per row of the response; 0 where there is no estimate.
-std::vector<std::vector<float>> evaluate(const ParameterBuffer& parameters,
-                                         const ResponseModel& response) {
-  std::vector<std::vector<float>> channels(static_cast<std::size_t>(response.rowCount()),
-                                           std::vector<float>(parameters.count()));
-  std::vector<float*> rows;
-  for (std::vector<float>& channel : channels)
-    rows.push_back(channel.data());
-  response.evaluate(parameters.batch(), rows);
-  for (std::size_t i = 0; i < parameters.count(); ++i) {
-    if (parameters.present[i]) continue;
-    for (std::vector<float>& channel : channels)
-      channel[i] = 0.0f;
-  }
-  return channels;
-}
-
 // Calls work(rect) for each tile of the maps.
 Status forEachTile(const ChromophoreMaps& maps, const JobContext& context,
                    const std::function<Status(const Rect&)>& work) {
@@ -49,21 +22,8 @@ Status forEachTile(const ChromophoreMaps& maps, const JobContext& context,
 
 Result<PictureBuffer> renderPart(const EditedSkin& skin, const ResponseModel& response,
                                  const Rect& rect, int step) {
-  CUTIS_TRY(parameters, loadEdited(skin, rect, step));
-  PictureBuffer part = emptyPart(rect, step);
-  part.channels = evaluate(parameters, response);
-  part.present = std::move(parameters.present);
-  return part;
-}
-
-Result<PictureBuffer> mapPart(const EditedSkin& skin, Parameter parameter, const Rect& rect,
-                              int step) {
-  CUTIS_TRY(parameters, loadEdited(skin, rect, step));
-  PictureBuffer part = emptyPart(rect, step);
-  const std::span<const float> values = parameters.values[static_cast<std::size_t>(parameter)];
-  part.channels.emplace_back(values.begin(), values.end());
-  part.present = std::move(parameters.present);
-  return part;
+  CUTIS_TRY(samples, loadSamples(skin, rect, step));
+  return renderSamples(samples, skin.edits, skin.axes(), response);
 }
 
 Result<std::vector<Plane>> renderPicture(const EditedSkin& skin, const ResponseModel& response,
@@ -98,24 +58,10 @@ Result<ChromophoreMaps> editMaps(const EditedSkin& skin, const std::shared_ptr<T
 Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const EditedSkin& skin,
                                      const ResponseModel& albedo, bool pure, const Rect& rect,
                                      int step) {
-  CUTIS_TRY(parameters, loadParameters(skin.maps, rect, step));
-  const std::vector<std::vector<float>> original = evaluate(parameters, albedo);
-  CUTIS_CHECK(applyEdits(skin.edits, skin.axes(), rect, step, parameters));
-  const std::vector<std::vector<float>> edited = evaluate(parameters, albedo);
-  for (std::size_t k = 0; k < source.channels.size(); ++k) {
-    std::vector<float>& pixels = source.channels[k];
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (!parameters.present[i]) continue;
-      const float model = std::max(original[k][i], kSmallestAlbedo);
-      const float changed = std::max(edited[k][i], kSmallestAlbedo);
-      if (pure) {
-        pixels[i] = edited[k][i];
-      } else if (changed != model) {
-        pixels[i] *= changed / model;
-      }
-    }
-  }
-  return source;
+  if (!pure && isNeutral(skin.edits)) return source;
+  CUTIS_TRY(samples, loadSamples(skin, rect, step));
+  samples.original = responseTo(samples.parameters, albedo);
+  return editAlbedoSamples(std::move(source), samples, skin.edits, skin.axes(), albedo, pure);
 }
 
 }  // namespace cutis

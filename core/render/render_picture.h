@@ -11,27 +11,15 @@
 #include "core/base/plane.h"
 #include "core/base/result.h"
 #include "core/render/edited_skin.h"
+#include "core/render/skin_samples.h"
 #include "core/skin/response_model.h"
 
 namespace cutis {
-
-// One float per pixel and row of the response model, row by row of the picture; 0 where there is no
-// estimate.
-struct PictureBuffer {
-  int width = 0;
-  int height = 0;
-  std::vector<std::vector<float>> channels;
-  std::vector<bool> present;
-};
 
 // Every step-th pixel of every step-th row of rect. Cost: about 30 ns per pixel on one core.
 // Precondition, here and below: the response has the free constants of the skin.
 Result<PictureBuffer> renderPart(const EditedSkin& skin, const ResponseModel& response,
                                  const Rect& rect, int step);
-
-// A map with the edits applied, as a picture of one channel.
-Result<PictureBuffer> mapPart(const EditedSkin& skin, Parameter parameter, const Rect& rect,
-                              int step);
 
 // The whole picture, one plane per row of the response model.
 Result<std::vector<Plane>> renderPicture(const EditedSkin& skin, const ResponseModel& response,

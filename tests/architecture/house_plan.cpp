@@ -70,6 +70,9 @@ constexpr Room kRooms[] = {
     {"src/images/color", "core/* src/files/io src/color src/images/codec"},
     {"src/images",
      "core/* src/files/io src/color src/images/codec src/images/color src/images/pixels"},
+    {"src/images/preview",
+     "core/* src/files/io src/color src/images src/images/codec src/images/color "
+     "src/images/pixels"},
     {"src/images/maps",
      "core/* src/files/* src/color src/images src/images/codec src/images/color"},
     {"src/images/capture",

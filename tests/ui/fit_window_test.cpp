@@ -20,6 +20,7 @@
 #include "ui/dialogs/training_controller.h"
 #include "ui/dialogs/training_dialog.h"
 #include "ui/docks/fit_controller.h"
+#include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/neutral_slider.h"
 #include "ui/widgets/progress_strip.h"
@@ -92,6 +93,31 @@ class FitWindowTest : public test::UiTest {
     waitUntilIdle();
     QVERIFY(pictureOf() == before);
     QVERIFY(window_->document().isFitted());
+  }
+
+  // Nothing is shown as if it were an estimate, and the fit can be had again.
+  void aFirstFitThatIsCancelledIsOfferedAgain() {
+    QPushButton* fit = buttonNamed(*window_, "Fit");
+    QVERIFY(!fit->isVisible());
+    QSignalSpy opened(&window_->document(), &Document::opened);
+    window_->opener().openSample();
+    QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, kFitPatienceMs);
+    QVERIFY(!window_->document().hasEstimate());
+    window_->views().show(ViewKind::melanin);
+    QCOMPARE(window_->viewport().notice(), QString("Not fitted yet"));
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    waitUntilIdle();
+    QVERIFY(!window_->document().isFitted());
+    QVERIFY(fit->isVisible());
+    if (!window_->document().hasEstimate())
+      QCOMPARE(window_->viewport().notice(), QString("Not fitted yet"));
+    QTest::mouseClick(fit, Qt::LeftButton);
+    QVERIFY(!fit->isVisible());
+    waitUntilIdle();
+    QVERIFY(window_->document().isFitted());
+    QVERIFY(window_->viewport().notice().isEmpty());
+    window_->views().show(ViewKind::photograph);
+    waitUntilIdle();
   }
 
   void aFileThatIsNoProfileIsTold() {

@@ -339,7 +339,7 @@ class ProjectWindowTest : public test::UiTest {
         auto* dialog = qobject_cast<QFileDialog*>(widget);
         if (dialog == nullptr || !dialog->isVisible()) continue;
         dialog->selectFile(path);
-        dialog->done(QDialog::Accepted);
+        static_cast<QDialog*>(dialog)->done(QDialog::Accepted);
       }
     });
   }

@@ -11,6 +11,7 @@ FitController::FitController(Document& document, QObject* parent)
 
 void FitController::attach(FitPanel& panel) {
   connect(&panel, &FitPanel::changed, this, &FitController::fitWith);
+  connect(&panel, &FitPanel::fitWanted, this, &FitController::fitAgain);
   connect(&document_, &Document::fitChoiceChanged, &panel, [this, &panel] { showChoice(panel); });
   connect(&document_, &Document::fitted, &panel, &FitPanel::keepProfile);
   connect(&document_, &Document::networkMissing, &panel, &FitPanel::offerTraining);
@@ -18,6 +19,10 @@ void FitController::attach(FitPanel& panel) {
 
 void FitController::fitWith(const FitChoice& choice) {
   if (document_.canFit()) document_.fitWith(choice);
+}
+
+void FitController::fitAgain() {
+  if (document_.canFit() && !document_.isFitting()) document_.fitAgain();
 }
 
 void FitController::fitWithProfile(const QString& nameOrPath) {
@@ -38,6 +43,7 @@ void FitController::showChoice(FitPanel& panel) const {
   panel.show(document_.fitChoice(), !document_.canFit() ? Subject::maps
                                     : isTexture         ? Subject::texture
                                                         : Subject::photographs);
+  panel.setFitOffered(document_.canFit() && !document_.isFitted() && !document_.isFitting());
 }
 
 }  // namespace cutis

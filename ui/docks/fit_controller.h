@@ -25,6 +25,8 @@ class FitController : public QObject {
 
   // Ignored where there is nothing to fit.
   void fitWith(const FitChoice& choice);
+  // As chosen, where the last fit was cancelled.
+  void fitAgain();
   void fitWithProfile(const QString& nameOrPath);
   // With a profile from a file, by a dialog before the window.
   void chooseProfile(QWidget& window);

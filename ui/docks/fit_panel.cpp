@@ -21,6 +21,7 @@ FitPanel::FitPanel(QWidget* parent)
       method_(new QComboBox(this)),
       shading_(new QCheckBox(tr("Estimate shading"), this)),
       options_(new QPushButton(tr("Options…"), this)),
+      fit_(new QPushButton(tr("Fit"), this)),
       offer_(new QWidget(this)) {
   setAccessibleName(tr("Fit"));
   profile_->setAccessibleName(tr("Profile"));
@@ -40,6 +41,9 @@ FitPanel::FitPanel(QWidget* parent)
   connect(shading_, &QCheckBox::clicked, this, notify);
   connect(load_, &QPushButton::clicked, this, &FitPanel::loadWanted);
   connect(options_, &QPushButton::clicked, this, &FitPanel::optionsWanted);
+  connect(fit_, &QPushButton::clicked, this, &FitPanel::fitWanted);
+  fit_->setToolTip(tr("The fit was cancelled; do it now"));
+  setFitOffered(false);
   show({}, Subject::photographs);
 }
 
@@ -66,6 +70,7 @@ void FitPanel::addForm() {
   foot->addStretch(1);
   foot->addWidget(options_);
   column->addLayout(foot);
+  column->addWidget(fit_);
   column->addWidget(offer_);
 }
 
@@ -164,6 +169,10 @@ void FitPanel::showShading(const FitChoice& choice, Subject subject) {
 void FitPanel::showOptions(const FitChoice& choice) {
   options_->setText(choice.hasRefinements() ? tr("Options (set)…") : tr("Options…"));
   options_->setToolTip(tr("Noise, prior, parameters that are held, constants found per pixel"));
+}
+
+void FitPanel::setFitOffered(bool offered) {
+  fit_->setVisible(offered);
 }
 
 void FitPanel::offerTraining() {

@@ -34,6 +34,8 @@ class FitPanel : public QWidget {
   void keepProfile() { tried_.clear(); }
   FitChoice choice() const;
 
+  // Whether there is something to fit that nobody is fitting: the button is there then.
+  void setFitOffered(bool offered);
   // There is no network for what is fitted.
   void offerTraining();
 
@@ -42,6 +44,7 @@ class FitPanel : public QWidget {
   void changed(const cutis::FitChoice& choice);
   void loadWanted();
   void optionsWanted();
+  void fitWanted();
   void trainingOffered();
   void trainingWanted();
 
@@ -59,6 +62,7 @@ class FitPanel : public QWidget {
   QComboBox* method_;
   QCheckBox* shading_;
   QPushButton* options_;
+  QPushButton* fit_;
   QWidget* offer_;
   FitChoice shown_;  // with what the panel has no control for
   QString tried_;    // offered, but nobody knows yet whether it is a profile

@@ -1,6 +1,7 @@
 #include "ui/view/view_controller.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ui/view/view_catalogue.h"
 #include "ui/view/view_strip.h"
@@ -37,7 +38,12 @@ ViewController::ViewController(Document& document, ViewServer& server, Viewport&
         showOverview();
       })) {
   connect(&document, &Document::opened, this, &ViewController::open);
-  connect(&document, &Document::sceneReplaced, this, [this] { ranges_.clear(); });
+  connect(&document, &Document::previewed, this, &ViewController::showPreview);
+  connect(&document, &Document::previewEnded, this, &ViewController::endPreview);
+  connect(&document, &Document::sceneReplaced, this, [this] {
+    ranges_.clear();
+    showColorBar();
+  });
   connect(&viewport, &Viewport::viewChanged, this, &ViewController::wantDetail);
 }
 
@@ -51,6 +57,18 @@ void ViewController::attach(ViewStrip& strip) {
   if (document_.isOpen()) fillStrip();
 }
 
+void ViewController::showPreview(const SourcePreview& preview) {
+  preview_ = colorImage({{}, preview.picture});
+  viewport_.clear();
+  viewport_.setPictureSize(preview.width, preview.height);
+  viewport_.setOverview(preview_);
+}
+
+void ViewController::endPreview() {
+  preview_ = {};
+  viewport_.clear();
+}
+
 void ViewController::open() {
   const Scene& scene = document_.scene();
   detail_ = nullptr;
@@ -60,6 +78,8 @@ void ViewController::open() {
   fillStrip();
   viewport_.clear();
   viewport_.setPictureSize(scene.width(), scene.height());
+  // The first impression stays until there is more.
+  if (!preview_.isNull()) viewport_.setOverview(std::exchange(preview_, {}));
   wantDetail();
   wantOverview();
   showColorBar();
@@ -110,6 +130,7 @@ void ViewController::show(ViewKind view) {
 }
 
 void ViewController::wantDetail() {
+  if (!document_.isOpen()) return;
   document_.lookAt(viewport_.visibleRect());
   detailWatch_->want({current_, viewport_.visibleRect(), viewport_.samplingStep()});
 }
@@ -127,7 +148,7 @@ void ViewController::takeThumbnail(const Part& part) {
 void ViewController::takeRange(const Part& part) {
   const ViewKind view = part->request.view;
   const bool edited = !isNeutral(document_.scene().edits);
-  if (!describe(view).scale || (edited && ranges_.contains(view))) return;
+  if (!describe(view).scale || awaitsEstimate(view) || (edited && ranges_.contains(view))) return;
   ranges_[view] = rangeOf(*part);
   if (view != current_) return;
   showDetail();
@@ -144,9 +165,16 @@ void ViewController::showOverview() {
   if (overview_ && overview_->request.view == current_) viewport_.setOverview(imageOf(*overview_));
 }
 
+bool ViewController::awaitsEstimate(ViewKind view) const {
+  const bool showsSource = view == ViewKind::photograph || view == ViewKind::editedAlbedo;
+  return document_.isOpen() && !document_.hasEstimate() && !showsSource;
+}
+
 void ViewController::showColorBar() {
   const ViewDescription& view = describe(current_);
-  if (!view.scale) return viewport_.setColorBar(std::nullopt);
+  const bool awaits = awaitsEstimate(current_);
+  viewport_.setNotice(awaits ? tr("Not fitted yet") : QString());
+  if (!view.scale || awaits) return viewport_.setColorBar(std::nullopt);
   const DisplayRange range = ranges_[current_];
   viewport_.setColorBar(
       ColorBarSpec{view.name, view.unit, range.minimum, range.maximum, *view.scale});
@@ -154,6 +182,7 @@ void ViewController::showColorBar() {
 
 QImage ViewController::imageOf(const ViewPart& part) const {
   const ViewDescription& view = describe(part.request.view);
+  if (awaitsEstimate(view.kind)) return maskedImage(part);
   if (!view.scale) return colorImage(part);
   const auto known = ranges_.find(view.kind);
   return falseColorImage(part, *view.scale, known == ranges_.end() ? rangeOf(part) : known->second);

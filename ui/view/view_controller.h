@@ -49,6 +49,10 @@ class ViewController : public QObject {
   using Part = std::shared_ptr<const ViewPart>;
 
   void open();
+  // While nothing is open.
+  void showPreview(const SourcePreview& preview);
+  void endPreview();
+  bool awaitsEstimate(ViewKind view) const;
   void fillStrip();
   void watchThumbnails();
   void wantDetail();
@@ -70,6 +74,7 @@ class ViewController : public QObject {
   std::map<ViewKind, DisplayRange> ranges_;
   Part detail_;
   Part overview_;
+  QImage preview_;  // null: none is shown
   std::unique_ptr<ViewWatch> detailWatch_;
   std::unique_ptr<ViewWatch> overviewWatch_;
   bool stripSeen_ = false;

@@ -69,6 +69,16 @@ QImage colorImage(const ViewPart& part) {
   });
 }
 
+QImage maskedImage(const ViewPart& part) {
+  QImage image(part.pixels.width, part.pixels.height, QImage::Format_RGB32);
+  for (int y = 0; y < image.height(); ++y) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+    for (int x = 0; x < image.width(); ++x)
+      line[x] = maskedPixel(x, y);
+  }
+  return image;
+}
+
 QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange& range) {
   if (part.pixels.channels.empty()) return {};
   const ColorScale& colors = ColorScale::of(scale);

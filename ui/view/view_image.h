@@ -17,6 +17,8 @@ struct DisplayRange {
 
 // Linear Rec.709 to sRGB, clamped; pixels without an estimate are hatched. RGB32.
 QImage colorImage(const ViewPart& part);
+// As if no pixel had an estimate: hatched all over.
+QImage maskedImage(const ViewPart& part);
 // One channel through a scale. RGB32.
 QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange& range);
 

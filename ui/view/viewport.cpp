@@ -71,6 +71,13 @@ void Viewport::setColorBar(const std::optional<ColorBarSpec>& spec) {
   update();
 }
 
+void Viewport::setNotice(const QString& notice) {
+  if (notice == notice_) return;
+  notice_ = notice;
+  setAccessibleDescription(notice);
+  update();
+}
+
 QPointF Viewport::toWidget(const QPointF& image) const {
   return geometry_.toDevice(image) / devicePixelRatioF();
 }
@@ -166,7 +173,20 @@ void Viewport::paintEvent(QPaintEvent*) {
     drawColorBar(painter, font(),
                  {double(theme::kDoubleSpace), double(height() - theme::kDoubleSpace)}, *colorBar_);
   }
+  if (!notice_.isEmpty()) drawNotice(painter);
   if (showFocus_) theme::drawFocusRing(painter, QRectF(rect()));
+}
+
+void Viewport::drawNotice(QPainter& painter) const {
+  const QSize text = fontMetrics().size(0, notice_);
+  QRectF box(QPointF(), text + QSize(2 * theme::kDoubleSpace, 2 * theme::kSpace));
+  box.moveCenter(QRectF(rect()).center());
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0x14, 0x14, 0x14, 0xd8));
+  painter.drawRoundedRect(box, theme::kCornerRadius, theme::kCornerRadius);
+  painter.setPen(theme::tones().text);
+  painter.drawText(box, Qt::AlignCenter, notice_);
 }
 
 void Viewport::resizeEvent(QResizeEvent*) {

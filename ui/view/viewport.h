@@ -39,6 +39,10 @@ class Viewport : public QWidget {
   // A bar in the lower left corner; nothing hides it.
   void setColorBar(const std::optional<ColorBarSpec>& spec);
 
+  // A few words in the middle of the picture, for what is not there to be seen yet; empty: none.
+  void setNotice(const QString& notice);
+  const QString& notice() const { return notice_; }
+
   // Device pixels per image pixel.
   double zoom() const { return geometry_.scale(); }
   bool fitted() const { return geometry_.fitted(); }
@@ -95,10 +99,12 @@ class Viewport : public QWidget {
   void viewMoved();
   void updateCursor();
   void updateShape();
+  void drawNotice(QPainter& painter) const;
 
   ViewGeometry geometry_;
   PictureImages images_;
   std::optional<ColorBarSpec> colorBar_;
+  QString notice_;
 
   Rect toldVisible_;
   int toldStep_ = 0;

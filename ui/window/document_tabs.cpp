@@ -1,6 +1,7 @@
 #include "ui/window/document_tabs.h"
 
 #include <QMouseEvent>
+#include <QPointer>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTimer>
@@ -79,7 +80,15 @@ int DocumentTabs::count() const {
 DocumentPage& DocumentTabs::makePage() {
   DocumentPage* page = makePage_(stack_);
   stack_->addWidget(page);
+  connect(&page->document(), &Document::previewed, this, [this, page] { takeOpened(*page); });
   connect(&page->document(), &Document::opened, this, [this, page] { takeOpened(*page); });
+  // Not from within its own signal, and it may have been closed by then.
+  connect(
+      &page->document(), &Document::previewEnded, this,
+      [this, ended = QPointer(page)] {
+        if (ended && !ended->document().isOpen()) close(*ended);
+      },
+      Qt::QueuedConnection);
   // What could not be opened, or was cancelled, leaves no page. Not from within its own signal.
   connect(
       &page->jobs(), &JobRunner::idle, this, [this] { discardBlankPages(); }, Qt::QueuedConnection);

@@ -193,7 +193,7 @@ void MainWindow::connectMessages(DocumentPage& page) {
 }
 
 void MainWindow::showCurrent() {
-  const bool isOpen = document().isOpen();
+  const bool isOpen = document().isOpen() || document().isPreviewed();
   showTitle();
   // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
   exportButton_->setVisible(isOpen);
@@ -205,9 +205,9 @@ void MainWindow::showCurrent() {
 }
 
 void MainWindow::showTitle() {
-  const QString name = document().name();
-  setWindowTitle(document().isOpen() ? tr("%1[*] — Cutis").arg(name.replace("[*]", "[*][*]"))
-                                     : tr("Cutis"));
+  QString name = document().name();
+  const bool isShown = document().isOpen() || document().isPreviewed();
+  setWindowTitle(isShown ? tr("%1[*] — Cutis").arg(name.replace("[*]", "[*][*]")) : tr("Cutis"));
   setWindowModified(document().isModified());
 }
 

@@ -1,5 +1,6 @@
 #include "ui/window/recovery.h"
 
+#include <QPushButton>
 #include <QStringList>
 
 #include "src/app/project/manifest.h"

@@ -10,6 +10,7 @@
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
 #include "src/app/project/manifest.h"
+#include "src/files/io/free_memory.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"
 
@@ -51,13 +52,15 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
       saveNext_.clear();
       Q_EMIT notSaved();
     }
+    if (job == opening_) endPreview();
   });
 }
 
 void Document::openSample() {
-  startOpening(tr("Sample face patch"), {}, [this, choice = usualFit_](const JobContext& context) {
-    return openedSource({}, choice, context);
-  });
+  startOpening(tr("Sample face patch"), {}, {},
+               [this, choice = usualFit_](const JobContext& context) {
+                 return openedSource({}, choice, context);
+               });
 }
 
 void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
@@ -68,7 +71,7 @@ void Document::open(const std::filesystem::path& path, const OpenChoice& choice)
                                 choice.source,
                                 choice.chooseExposure,
                                 {}};
-  startOpening(name, path,
+  startOpening(name, path, choice.source,
                [this, source, fit = usualFit_](const JobContext& context) -> Result<Opened> {
                  ProjectSource found = source;
                  if (looksLikeCapture(source.path)) {
@@ -89,11 +92,17 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
   return context;
 }
 
-void Document::startOpening(const QString& name, const std::filesystem::path& path, Opener open) {
+void Document::startOpening(const QString& name, const std::filesystem::path& path,
+                            const SourceOptions& options, Opener open) {
   jobs_.cancel(opening_);
   Q_EMIT openingStarted();
-  opening_ = jobs_.start(
-      tr("Open %1").arg(name), [this, path, open = std::move(open)](const JobRunner::Handle& job) {
+  const bool showsPreview = !isOpen() && !path.empty();
+  opening_ =
+      jobs_.start(tr("Open %1").arg(name), [this, name, path, options, showsPreview,
+                                            open = std::move(open)](const JobRunner::Handle& job) {
+        auto preview = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
+        if (preview)
+          job.post([this, name, shown = *std::move(preview)] { showPreview(name, shown); });
         auto opened = open(contextOf(job));
         if (opened.failed()) {
           job.post([this, path, sentence = sentenceOf(opened.error())] {
@@ -104,6 +113,16 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
           job.post([this, result = opened.value()] { takeOrReport(result); });
         }
       });
+}
+
+void Document::showPreview(const QString& name, const SourcePreview& preview) {
+  name_ = name;
+  isPreviewed_ = true;
+  Q_EMIT previewed(preview);
+}
+
+void Document::endPreview() {
+  if (std::exchange(isPreviewed_, false)) Q_EMIT previewEnded();
 }
 
 Result<Document::Opened> Document::openedSource(ProjectSource source, const FitChoice& choice,
@@ -152,6 +171,8 @@ void Document::take(const Opened& opened) {
   scene_ = opened.scene;
   choice_ = opened.project.fit;
   name_ = opened.name;
+  isPreviewed_ = false;
+  hasEstimate_ = opened.isFitted || scene_->source == nullptr;
   fitted_ = false;
   statistics_ = {};
   lastFit_.reset();
@@ -260,6 +281,7 @@ void Document::show(const Scene& fitted) {
   const EditStack edits = scene_->edits;
   scene_ = fitted;
   scene_->edits = edits;
+  hasEstimate_ = true;
   Q_EMIT sceneReplaced();
 }
 
@@ -268,6 +290,7 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
   fitted_ = true;
   lastFit_ = {choice_, *scene_, statistics};
   mapsTimer_.stop();
+  giveMemoryBack();
   Q_EMIT mapsChanged();
   Q_EMIT fitted();
   for (const FitRemark& remark : remarks) {
@@ -278,6 +301,11 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
       Q_EMIT noticed(sentence);
     }
   }
+}
+
+// What a fit and pictures before it have left.
+void Document::giveMemoryBack() {
+  jobs_.startQuiet([](const JobRunner::Handle&) { giveFreeMemoryBack(); });
 }
 
 void Document::backToLastFit() {

@@ -29,6 +29,7 @@
 #include "src/app/job_runner.h"
 #include "src/app/open/fit_choice.h"
 #include "src/app/open/source_fit.h"
+#include "src/app/open/source_preview.h"
 #include "src/app/project/project.h"
 #include "src/app/project/project_open.h"
 #include "src/images/maps/maps_file.h"
@@ -72,9 +73,13 @@ class Document : public QObject {
   void recover(const Project& project);
 
   bool isOpen() const { return scene_.has_value(); }
+  // Not yet, but what will be can be seen.
+  bool isPreviewed() const { return isPreviewed_; }
   QString name() const { return name_; }
   // Whether the fit is complete.
   bool isFitted() const { return fitted_; }
+  // Whether the maps hold anything, a first impression at least.
+  bool hasEstimate() const { return hasEstimate_; }
   // Whether a fit is under way. Neither fitted nor fitting: the first one was cancelled.
   bool isFitting() const { return jobs_.isRunning(fitting_); }
   // The files this was made from; never written to.
@@ -116,6 +121,8 @@ class Document : public QObject {
   // Fits again, edits are kept; a choice that cannot be is reported. Where the fit fails or is
   // cancelled the last complete one comes back. Precondition: canFit().
   void fitWith(const FitChoice& choice);
+  // Once more with the same choice, after a fit was cancelled. Precondition: canFit().
+  void fitAgain() { startFit(); }
   // Adds a network of the profile and the source's lights to the engine and fits with it.
   // Precondition: canFit().
   void useNetwork(std::shared_ptr<const ChromophoreNetwork> network, const std::string& profile);
@@ -147,6 +154,11 @@ class Document : public QObject {
   std::optional<ParameterVector> editedParametersAt(int x, int y) const;
 
  Q_SIGNALS:
+  // Nothing is open yet, and this is a first impression of what will be: opened() or previewEnded()
+  // follows.
+  void previewed(const cutis::SourcePreview& preview);
+  // Nothing came of it: it could not be read, or was cancelled.
+  void previewEnded();
   // What is said from now on is about what is being opened. It ends with opened() or with
   // openingFailed(), or with neither where it is cancelled.
   void openingStarted();
@@ -198,7 +210,10 @@ class Document : public QObject {
   using Opener = std::function<Result<Opened>(const JobContext& context)>;
 
   // path: empty for the sample.
-  void startOpening(const QString& name, const std::filesystem::path& path, Opener open);
+  void startOpening(const QString& name, const std::filesystem::path& path,
+                    const SourceOptions& options, Opener open);
+  void showPreview(const QString& name, const SourcePreview& preview);
+  void endPreview();
   void openProject(const std::filesystem::path& path);
   // On the thread of the job.
   Result<Opened> openedSource(ProjectSource source, const FitChoice& choice,
@@ -223,8 +238,12 @@ class Document : public QObject {
   void fitWithoutNetwork();
   void setEdits(bool moving);
 
+  void giveMemoryBack();
+
   Engine& engine_;
   JobRunner& jobs_;
+  // Goes when the members below have gone.
+  std::shared_ptr<void> lastAct_{nullptr, [this](void*) { giveMemoryBack(); }};
   std::shared_ptr<TileStore> store_;
   JobId opening_ = 0;
   JobId fitting_ = 0;
@@ -250,6 +269,8 @@ class Document : public QObject {
   JobId checking_ = 0;
   FitChoice usualFit_;
   FitChoice choice_;
+  bool isPreviewed_ = false;
+  bool hasEstimate_ = false;
   bool fitted_ = false;
   FitStatistics statistics_;
   // The last one that was complete.

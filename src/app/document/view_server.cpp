@@ -6,6 +6,8 @@ namespace cutis {
 namespace {
 
 constexpr int kCoarserWhileMoving = 2;
+// Longer than the pause between two moves of a hand; the sharp picture comes this much later.
+constexpr int kRestMs = 30;
 
 bool showsMaps(ViewKind view) {
   return view != ViewKind::photograph;
@@ -19,8 +21,12 @@ ViewWatch::~ViewWatch() {
 
 void ViewWatch::want(const ViewRequest& request) {
   if (request == request_) return;
+  server_.postponeAverage();
   request_ = request;
   due_ = !request.rect.empty();
+  averageDue_ = false;
+  samples_ = nullptr;
+  coarse_ = nullptr;
   server_.startNext();
 }
 
@@ -32,29 +38,47 @@ void ViewWatch::setSeen(bool seen) {
 
 ViewServer::ViewServer(Document& document, Engine& engine, JobRunner& jobs, QObject* parent)
     : QObject(parent), document_(document), engine_(engine), jobs_(jobs) {
-  connect(&document, &Document::opened, this, &ViewServer::forget);
+  restTimer_.setSingleShot(true);
+  restTimer_.setInterval(kRestMs);
+  connect(&restTimer_, &QTimer::timeout, this, &ViewServer::controlRests);
   // The part it was to make stays out of date until something changes; others may still succeed.
   connect(&jobs, &JobRunner::failed, this, [this](JobId job) {
     if (job != job_) return;
     job_ = 0;
     startNext();
   });
-  connect(&document, &Document::mapsChanged, this, [this] { invalidate(showsMaps); });
-  connect(&document, &Document::sceneReplaced, this, [this] {
-    // A part of the old scene must not be taken for one of the new.
-    jobs_.cancel(job_);
-    job_ = 0;
-    invalidate([](ViewKind) { return true; });
-  });
-  connect(&document, &Document::editsChanged, this, [this](bool moving) {
-    moving_ = moving;
-    // A part at full resolution that is out of date would only delay the next.
-    if (moving && !jobIsCoarse_) {
-      jobs_.cancel(job_);
-      job_ = 0;
-    }
+  connectDocument();
+}
+
+void ViewServer::connectDocument() {
+  connect(&document_, &Document::opened, this, &ViewServer::forget);
+  connect(&document_, &Document::mapsChanged, this, [this] {
+    forgetSamples();
     invalidate(showsMaps);
   });
+  connect(&document_, &Document::sceneReplaced, this, [this] {
+    // A part of the old scene must not be taken for one of the new.
+    cancelJob();
+    forgetSamples();
+    invalidate([](ViewKind) { return true; });
+  });
+  connect(&document_, &Document::editsChanged, this, &ViewServer::editsChanged);
+  // Means are made of what is complete.
+  connect(&document_, &Document::fitted, this, &ViewServer::startNext);
+}
+
+void ViewServer::editsChanged(bool moving) {
+  moving_ = moving;
+  resting_ = false;
+  moving ? restTimer_.start() : restTimer_.stop();
+  // A part at full resolution that is out of date would only delay the next.
+  if (moving && job_ != 0 && task_.quality != Quality::coarse) cancelJob();
+  invalidate(showsMaps);
+}
+
+void ViewServer::controlRests() {
+  resting_ = true;
+  invalidate(showsMaps);
 }
 
 std::unique_ptr<ViewWatch> ViewServer::watch(ViewPriority priority, ViewWatch::Show show) {
@@ -67,71 +91,141 @@ std::unique_ptr<ViewWatch> ViewServer::watch(ViewPriority priority, ViewWatch::S
 void ViewServer::setPicture(const PictureRequest& picture) {
   if (picture == picture_) return;
   picture_ = picture;
+  forgetSamples();
   invalidate([](ViewKind view) { return view == ViewKind::skin; });
 }
 
 bool ViewServer::isIdle() const {
-  return job_ == 0 && mostUrgent() == nullptr;
+  return job_ == 0 && !restTimer_.isActive() && mostUrgent() == nullptr && notAveraged() == nullptr;
 }
 
 void ViewServer::invalidate(const std::function<bool(ViewKind)>& concerns) {
   for (const auto& [id, watch] : watches_) {
-    if (concerns(watch->request_.view) && !watch->request_.rect.empty()) watch->due_ = true;
+    if (!concerns(watch->request_.view) || watch->request_.rect.empty()) continue;
+    watch->due_ = true;
+    watch->averageDue_ = false;
   }
+  postponeAverage();
   startNext();
+}
+
+void ViewServer::forgetSamples() {
+  ++state_;
+  for (const auto& [id, watch] : watches_) {
+    watch->samples_ = nullptr;
+    watch->coarse_ = nullptr;
+  }
 }
 
 // Another document is open: requests were for pixels of the old one.
 void ViewServer::forget() {
-  jobs_.cancel(job_);
-  job_ = 0;
+  cancelJob();
   moving_ = false;
+  restTimer_.stop();
+  forgetSamples();
   for (const auto& [id, watch] : watches_) {
     watch->request_ = {};
     watch->due_ = false;
+    watch->averageDue_ = false;
   }
+}
+
+void ViewServer::cancelJob() {
+  jobs_.cancel(std::exchange(job_, 0));
+}
+
+void ViewServer::postponeAverage() {
+  if (job_ == 0 || task_.quality != Quality::averaged) return;
+  cancelJob();
+  const auto found = watches_.find(task_.watch);
+  if (found != watches_.end()) found->second->averageDue_ = !found->second->due_;
+}
+
+bool ViewServer::isServed(const ViewWatch& watch) const {
+  return watch.seen_ && (!moving_ || watch.priority_ == ViewPriority::detail);
 }
 
 ViewWatch* ViewServer::mostUrgent() const {
   ViewWatch* urgent = nullptr;
   for (const auto& [id, watch] : watches_) {
-    if (!watch->due_ || !watch->seen_ || (moving_ && watch->priority_ != ViewPriority::detail))
-      continue;
+    if (!watch->due_ || !isServed(*watch)) continue;
     if (urgent == nullptr || watch->priority_ < urgent->priority_) urgent = watch;
   }
   return urgent;
 }
 
+ViewWatch* ViewServer::notAveraged() const {
+  if (!document_.isFitted() || isCoarse()) return nullptr;
+  for (const auto& [id, watch] : watches_) {
+    if (watch->averageDue_ && isServed(*watch)) return watch;
+  }
+  return nullptr;
+}
+
 void ViewServer::startNext() {
   if (job_ != 0 || !document_.isOpen()) return;
-  ViewWatch* watch = mostUrgent();
-  if (watch == nullptr) return;
-  watch->due_ = false;
-  jobIsCoarse_ = moving_;
-  ViewRequest request = watch->request_;
-  if (moving_) request.step *= kCoarserWhileMoving;
-  job_ = jobs_.startQuiet([this, id = watch->id_, request, scene = document_.scene(),
+  if (ViewWatch* watch = mostUrgent()) {
+    watch->due_ = false;
+    start(*watch, isCoarse() ? Quality::coarse : Quality::sharp);
+  } else if (ViewWatch* rough = notAveraged()) {
+    rough->averageDue_ = false;
+    start(*rough, Quality::averaged);
+  }
+}
+
+void ViewServer::start(ViewWatch& watch, Quality quality) {
+  task_ = {watch.id_, quality, watch.request_, state_};
+  job_ = jobs_.startQuiet([this, task = task_, known = Made{nullptr, watch.samples_, watch.coarse_},
+                           scene = document_.scene(),
                            picture = picture_](const JobRunner::Handle& job) {
-    auto part = renderView(scene, engine_, picture, request, job.context);
-    if (part.failed()) {
-      job.post([this, sentence = QString::fromStdString(part.error().text())] {
+    auto made = make(task, known, scene, picture, job.context);
+    if (made.failed()) {
+      job.post([this, sentence = QString::fromStdString(made.error().text())] {
         job_ = 0;
         Q_EMIT failed(sentence);
         startNext();
       });
-    } else if (part) {
-      auto shared = std::make_shared<const ViewPart>(std::move(part).value());
-      job.post([this, id, shared] { deliver(id, shared); });
+    } else if (made) {
+      job.post([this, task, result = std::move(made).value()] { deliver(task, result); });
     }
   });
 }
 
-void ViewServer::deliver(std::uint64_t watch, const std::shared_ptr<const ViewPart>& part) {
+Result<ViewServer::Made> ViewServer::make(const Task& task, Made known, const Scene& scene,
+                                          const PictureRequest& picture,
+                                          const JobContext& context) const {
+  if (task.quality == Quality::averaged) {
+    CUTIS_TRY(part, renderAveraged(scene, engine_, picture, task.request, context));
+    known.part = std::make_shared<const ViewPart>(std::move(part));
+    return known;
+  }
+  if (known.samples == nullptr) {
+    CUTIS_TRY(samples, ViewSamples::load(scene, engine_, picture, task.request, context));
+    known.samples = std::make_shared<const ViewSamples>(std::move(samples));
+  }
+  const bool isCoarse = task.quality == Quality::coarse;
+  if (isCoarse && known.coarse == nullptr) {
+    known.coarse = std::make_shared<const ViewSamples>(known.samples->thinned(kCoarserWhileMoving));
+  }
+  CUTIS_TRY(part, (isCoarse ? known.coarse : known.samples)->render(scene.edits, context));
+  known.part = std::make_shared<const ViewPart>(std::move(part));
+  return known;
+}
+
+void ViewServer::deliver(const Task& task, const Made& made) {
   job_ = 0;
   // The watch may be gone, or want another view by now.
-  const auto found = watches_.find(watch);
-  if (found != watches_.end() && found->second->request_.view == part->request.view) {
-    found->second->show_(part);
+  const auto found = watches_.find(task.watch);
+  if (found != watches_.end() && found->second->request_.view == task.request.view) {
+    ViewWatch& watch = *found->second;
+    if (watch.request_ == task.request && state_ == task.state) {
+      watch.samples_ = made.samples;
+      watch.coarse_ = made.coarse;
+    }
+    watch.averageDue_ = task.quality == Quality::sharp && !watch.due_ &&
+                        watch.priority_ == ViewPriority::detail && task.request.step > 1 &&
+                        canBeAveraged(task.request.view);
+    watch.show_(made.part);
   }
   startNext();
 }

@@ -5,7 +5,11 @@
 // A panel holds a ViewWatch and says which part of which view it shows at which step; it is then
 // handed that part whenever it changes, newest state first, computed in the background. What nobody
 // watches is not computed. While a control is dragged parts come at half resolution; the full one
-// follows when it rests.
+// follows when it rests, whether it is let go or not, and after it, where a sample stands for
+// several texels of light, their mean. Whatever changes stops what it makes needless.
+//
+// What a watch last showed is kept as samples in memory (src/app/document/view_samples.h): an edit
+// reads no plane again.
 //
 // Lives on the interface thread.
 
@@ -15,9 +19,11 @@
 #include <memory>
 
 #include <QObject>
+#include <QTimer>
 
 #include "src/app/document/document.h"
 #include "src/app/document/view_part.h"
+#include "src/app/document/view_samples.h"
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
 #include "src/app/picture_request.h"
@@ -58,8 +64,12 @@ class ViewWatch {
   ViewPriority priority_;
   Show show_;
   ViewRequest request_;
-  bool due_ = false;  // the last part shown is not of this state, or none was
+  bool due_ = false;         // the last part shown is not of this state, or none was
+  bool averageDue_ = false;  // it is, but its samples are single texels and not yet their means
   bool seen_ = true;
+  // Of the request and the maps as they are, if they were read; and every other one of them.
+  std::shared_ptr<const ViewSamples> samples_;
+  std::shared_ptr<const ViewSamples> coarse_;
 };
 
 class ViewServer : public QObject {
@@ -85,12 +95,45 @@ class ViewServer : public QObject {
  private:
   friend class ViewWatch;
 
+  enum class Quality {
+    coarse,   // half the resolution of the screen
+    sharp,    // one texel for each pixel of it
+    averaged  // all texels
+  };
+  struct Made {
+    std::shared_ptr<const ViewPart> part;
+    std::shared_ptr<const ViewSamples> samples;
+    std::shared_ptr<const ViewSamples> coarse;
+  };
+  // What a job works for.
+  struct Task {
+    std::uint64_t watch = 0;
+    Quality quality = Quality::sharp;
+    ViewRequest request;
+    std::uint64_t state = 0;
+  };
+
+  void connectDocument();
+  void editsChanged(bool moving);
+  void controlRests();
   // Marks what `concerns` says as due.
   void invalidate(const std::function<bool(ViewKind)>& concerns);
+  // Samples are of another state now.
+  void forgetSamples();
   void forget();
+  void cancelJob();
+  // Means wait for everything else.
+  void postponeAverage();
+  bool isCoarse() const { return moving_ && !resting_; }
+  bool isServed(const ViewWatch& watch) const;
   void startNext();
+  void start(ViewWatch& watch, Quality quality);
+  // On the thread of the job.
+  Result<Made> make(const Task& task, Made known, const Scene& scene, const PictureRequest& picture,
+                    const JobContext& context) const;
   ViewWatch* mostUrgent() const;
-  void deliver(std::uint64_t watch, const std::shared_ptr<const ViewPart>& part);
+  ViewWatch* notAveraged() const;
+  void deliver(const Task& task, const Made& made);
 
   Document& document_;
   Engine& engine_;
@@ -98,9 +141,12 @@ class ViewServer : public QObject {
   PictureRequest picture_;
   std::map<std::uint64_t, ViewWatch*> watches_;  // by id: a job may outlive the watch it works for
   std::uint64_t nextId_ = 1;
+  std::uint64_t state_ = 0;  // counts the states of maps and light
   JobId job_ = 0;
-  bool jobIsCoarse_ = false;
-  bool moving_ = false;
+  Task task_;             // of the job
+  bool moving_ = false;   // a control is held …
+  bool resting_ = false;  // … but has not moved for a while
+  QTimer restTimer_;
 };
 
 }  // namespace cutis

@@ -22,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr char kOxygenationName[] = "oxygenation";
+constexpr char kThicknessName[] = "thickness";
 constexpr char kVersion[] = "cutis_project";
 constexpr char kAutomatic[] = "auto";
 
@@ -90,6 +92,24 @@ Json sourceJson(const ProjectSource& source, const PathNames& names) {
   json["layer"] = options.layer;
   json["colorspace"] = options.colorSpace;
   json["exposure"] = source.chooseExposure ? Json(kAutomatic) : Json(options.exposure);
+  return json;
+}
+
+// What is usual is not written.
+Json fitJson(const FitChoice& fit, const PathNames& names) {
+  Json json;
+  json["profile"] = names.nameOf(fit.profile, profileNames());
+  json["method"] = fitMethodName(fit.method);
+  json["shading"] = fit.shading;
+  if (fit.noise) json["noise"] = *fit.noise;
+  if (!fit.prior.empty()) json["prior"] = names.nameOf(fs::path(fit.prior));
+  for (const Parameter k : kParameters) {
+    const auto& held = fit.fixed[static_cast<std::size_t>(k)];
+    if (held) json["fixed"][std::string(parameterName(k))] = *held;
+  }
+  if (fit.free.oxygenation) json["free"].push_back(kOxygenationName);
+  if (fit.free.thickness) json["free"].push_back(kThicknessName);
+  if (fit.discrepancy) json["discrepancy"] = *fit.discrepancy;
   return json;
 }
 
@@ -167,13 +187,63 @@ Result<ProjectSource> parseSource(const JsonValue& object, const PathNames& name
   return source;
 }
 
+Status parseNoise(const JsonValue& object, FitChoice& fit) {
+  if (!object.has("noise")) return {};
+  CUTIS_TRY(list, object.list("noise"));
+  CUTIS_TRY(noise, list.asNumbers(2));
+  if (!(noise[0] >= 0.0 && noise[1] >= 0.0)) {
+    return object.error("noise", "two standard deviations of at least 0");
+  }
+  fit.noise = {noise[0], noise[1]};
+  return {};
+}
+
+Status parseFixed(const JsonValue& object, const Notice& notice, FitChoice& fit) {
+  if (!object.has("fixed")) return {};
+  CUTIS_TRY(fixed, object.object("fixed"));
+  std::array<std::string_view, kParameterCount> known;
+  for (const Parameter k : kParameters) {
+    const std::string name(parameterName(k));
+    known[static_cast<std::size_t>(k)] = parameterName(k);
+    if (!fixed.has(name)) continue;
+    CUTIS_TRY(value, fixed.number(name));
+    fit.fixed[static_cast<std::size_t>(k)] = value;
+  }
+  fixed.sayUnknown(known, notice);
+  return {};
+}
+
+Status parseFree(const JsonValue& object, FitChoice& fit) {
+  if (!object.has("free")) return {};
+  CUTIS_TRY(names, object.array("free"));
+  for (const JsonValue& element : names) {
+    CUTIS_TRY(name, element.asText());
+    if (name != kOxygenationName && name != kThicknessName) {
+      return element.error("\"oxygenation\" or \"thickness\"");
+    }
+    (name == kOxygenationName ? fit.free.oxygenation : fit.free.thickness) = true;
+  }
+  return {};
+}
+
 Result<FitChoice> parseFit(const JsonValue& object, const PathNames& names, const Notice& notice) {
   CUTIS_TRY(profile, object.text("profile"));
   CUTIS_TRY(method, object.text("method"));
   CUTIS_TRY(shading, object.boolean("shading", false));
   CUTIS_TRY(named, fitMethodNamed(method, object.file() + ": fit.method"));
-  object.sayUnknown({"profile", "method", "shading"}, notice);
-  return FitChoice{names.pathOf(profile, profileNames()), named, shading};
+  CUTIS_TRY(prior, object.text("prior", std::string()));
+  object.sayUnknown(
+      {"profile", "method", "shading", "noise", "prior", "fixed", "free", "discrepancy"}, notice);
+  FitChoice fit = {names.pathOf(profile, profileNames()), named, shading};
+  fit.prior = names.pathOf(prior).string();
+  CUTIS_CHECK(parseNoise(object, fit));
+  CUTIS_CHECK(parseFixed(object, notice, fit));
+  CUTIS_CHECK(parseFree(object, fit));
+  if (object.has("discrepancy")) {
+    CUTIS_TRY(discrepancy, object.boolean("discrepancy", false));
+    fit.discrepancy = discrepancy;
+  }
+  return fit;
 }
 
 Result<ProjectView> parseView(const JsonValue& object, const PathNames& names,
@@ -207,9 +277,7 @@ std::string projectText(const Project& project, const fs::path& folder) {
   Json root;
   root[kVersion] = kNewestProject;
   root["source"] = sourceJson(project.source, names);
-  root["fit"] = {{"profile", names.nameOf(project.fit.profile, profileNames())},
-                 {"method", fitMethodName(project.fit.method)},
-                 {"shading", project.fit.shading}};
+  root["fit"] = fitJson(project.fit, names);
   root["maps"] = project.maps.empty() ? Json(nullptr) : Json(names.nameOf(project.maps));
   addEditsTo(root, project.edits);
   root["view"] = viewJson(project.view, names);

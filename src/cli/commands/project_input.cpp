@@ -30,9 +30,11 @@ Result<EditedAlbedo> openProjectAlbedo(const std::string& path, const Session& s
     albedo.skin = {opened.model, *opened.maps, project.edits};
     return albedo;
   }
-  CUTIS_TRY(fitted, fitSource(opened.model, opened.source,
-                              {fitOptions(project.fit), project.source.chooseExposure},
-                              session.engine, session.store, context.child(kProjectRead, 1.0)));
+  CUTIS_CHECK(checkFitChoice(project.fit, *opened.source));
+  CUTIS_TRY(options, fitOptions(project.fit, opened.model->profile()));
+  CUTIS_TRY(fitted,
+            fitSource(opened.model, opened.source, {options, project.source.chooseExposure},
+                      session.engine, session.store, context.child(kProjectRead, 1.0)));
   for (const FitRemark& remark : fitted.remarks)
     context.say(path + ": " + remark.sentence);
   albedo.source = fitted.source;

@@ -1,45 +1,15 @@
 #include "src/images/codec/ink_jpeg_input.h"
 
-#include <csetjmp>
 #include <cstddef>
 #include <cstdio>
-#include <jpeglib.h>
 #include <memory>
 #include <string>
 #include <utility>
 
+#include "src/images/codec/jpeg_reports.h"
+
 namespace cutis {
 namespace {
-
-// What libjpeg reports through; it finds this by the first member.
-struct JpegReports {
-  jpeg_error_mgr manager = {};
-  std::jmp_buf giveUp = {};
-  char message[JMSG_LENGTH_MAX] = {};
-};
-
-JpegReports& reportsOf(j_common_ptr info) {
-  return *reinterpret_cast<JpegReports*>(info->err);
-}
-
-// The library must not go on after an error, and leaves its own functions by a jump.
-[[noreturn]] void giveUp(j_common_ptr info) {
-  JpegReports& reports = reportsOf(info);
-  info->err->format_message(info, reports.message);
-  std::longjmp(reports.giveUp, 1);
-}
-
-// The first warning; other messages trace what the library does.
-void takeMessage(j_common_ptr info, int level) {
-  JpegReports& reports = reportsOf(info);
-  if (level < 0 && reports.message[0] == '\0') info->err->format_message(info, reports.message);
-}
-
-void printNothing(j_common_ptr) {}
-
-struct FileCloser {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 class InkJpegInput final : public OIIO::ImageInput {
  public:
@@ -48,10 +18,7 @@ class InkJpegInput final : public OIIO::ImageInput {
     m_spec.nchannels = 4;
     m_spec.channelnames = {"C", "M", "Y", "K"};
     m_spec.alpha_channel = -1;
-    info_.err = jpeg_std_error(&reports_.manager);
-    reports_.manager.error_exit = giveUp;
-    reports_.manager.emit_message = takeMessage;
-    reports_.manager.output_message = printNothing;
+    info_.err = reports_.connect();
   }
   ~InkJpegInput() override { jpeg_destroy_decompress(&info_); }
 
@@ -106,21 +73,18 @@ class InkJpegInput final : public OIIO::ImageInput {
       jpeg_read_scanlines(&info_, &row, 1);
   }
 
-  // Runs steps of the library, in which nothing may have a destructor; false if it gave up.
   template <typename Steps>
   bool guarded(const Steps& steps) {
-    reports_.message[0] = '\0';
-    if (setjmp(reports_.giveUp) != 0) {
-      errorfmt("{}", reports_.message);
+    if (!reports_.guarded(steps)) {
+      errorfmt("{}", reports_.message());
       return false;
     }
-    steps();
-    if (reports_.message[0] != '\0') errorfmt("{}", reports_.message);
+    if (reports_.message()[0] != '\0') errorfmt("{}", reports_.message());
     return true;
   }
 
   std::string path_;
-  std::unique_ptr<std::FILE, FileCloser> file_;
+  JpegFile file_;
   JpegReports reports_;
   jpeg_decompress_struct info_ = {};
   bool isDecoding_ = false;

@@ -89,7 +89,7 @@ class DocumentTest : public QObject {
     QVector<ViewRequest> served;
     const auto watch =
         server_.watch(ViewPriority::detail, [&](const auto& part) { served << part->request; });
-    const ViewRequest request = {ViewKind::skin, {300, 300, 400, 380}, 2};
+    const ViewRequest request = {ViewKind::skin, {300, 300, 400, 380}, 1};
     watch->want(request);
     QTRY_COMPARE(served.size(), 1);
     QVERIFY(served[0] == request);
@@ -109,10 +109,11 @@ class DocumentTest : public QObject {
     watch->want({ViewKind::melanin, {0, 0, 512, 512}, 1});
     QTRY_COMPARE(steps.size(), 1);
     document_.apply(scaleMelanin(1.1, true));
-    QTRY_COMPARE(steps.size(), 2);
-    QCOMPARE(steps.last(), 2);
+    QTRY_VERIFY(steps.size() >= 2);
+    QCOMPARE(steps[1], 2);
+    steps.clear();
     document_.apply(scaleMelanin(1.2));
-    QTRY_COMPARE(steps.size(), 3);
+    QTRY_VERIFY(server_.isIdle());
     QCOMPARE(steps.last(), 1);
   }
 

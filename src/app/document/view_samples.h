@@ -1,0 +1,54 @@
+#pragma once  // internal to src/app/document
+
+// What a view is made of, at the resolution of the screen and in memory: while nothing changes but
+// the edits, the next picture follows the samples, whatever the size of the file they are of.
+//
+// Thread-safe: const after construction.
+
+#include <memory>
+#include <vector>
+
+#include "core/base/job_context.h"
+#include "core/base/result.h"
+#include "core/render/skin_samples.h"
+#include "src/app/document/scene.h"
+#include "src/app/document/view_part.h"
+#include "src/app/engine.h"
+
+namespace cutis {
+
+// The response that a view needs; null for the maps and the photograph.
+Result<std::shared_ptr<const ResponseModel>> responseFor(ViewKind view, const Scene& scene,
+                                                         Engine& engine,
+                                                         const PictureRequest& picture,
+                                                         const JobContext& context);
+
+class ViewSamples {
+ public:
+  // Of the part that a request asks for, cut to the picture. Preconditions: those of renderView().
+  static Result<ViewSamples> load(const Scene& scene, Engine& engine, const PictureRequest& picture,
+                                  const ViewRequest& request, const JobContext& context);
+
+  const ViewRequest& request() const { return request_; }
+  // Every n-th sample of every n-th row. Precondition: n divides the rows of a band, 32.
+  ViewSamples thinned(int n) const;
+  // With these edits; masks are read anew.
+  Result<ViewPart> render(const EditStack& edits, const JobContext& context) const;
+
+ private:
+  struct Band {
+    SkinSamples skin;
+    PictureBuffer photograph;
+  };
+
+  static Result<Band> loadBand(const Scene& scene, const ResponseModel* response,
+                               const ViewRequest& request, const Rect& rect);
+  Result<PictureBuffer> renderBand(const Band& band, const EditStack& edits) const;
+
+  ViewRequest request_;
+  std::shared_ptr<const SkinModel> model_;
+  std::shared_ptr<const ResponseModel> response_;
+  std::vector<Band> bands_;
+};
+
+}  // namespace cutis

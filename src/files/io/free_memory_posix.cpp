@@ -1,0 +1,15 @@
+#include "src/files/io/free_memory.h"
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+namespace cutis {
+
+void giveFreeMemoryBack() {
+#if defined(__GLIBC__)
+  ::malloc_trim(0);
+#endif
+}
+
+}  // namespace cutis
