@@ -1,4 +1,4 @@
-#pragma once  // internal to core/fit
+#pragma once
 
 // The largest deviation that a parameter's range allows.
 //

@@ -43,6 +43,7 @@ void addAttributes(const MapsAttributes& attributes, OIIO::ImageSpec& spec) {
   spec.attribute(kExposure, OIIO::TypeDesc::DOUBLE, &attributes.exposure);
   if (attributes.specularShare > 0.0)
     spec.attribute(kSpecularShare, OIIO::TypeDesc::DOUBLE, &attributes.specularShare);
+  if (!attributes.fit.empty()) spec.attribute(kFit, attributes.fit);
   spec.attribute(kSources, sourcesText(attributes.sources));
   spec.attribute(kSourceColorSpace, attributes.sourceColorSpace);
 }
