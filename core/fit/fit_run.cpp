@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/fit/pixel_grouping.h"
@@ -25,66 +27,58 @@ struct TileResult {
   std::vector<float> residuals;  // sampled, per pixel
 };
 
-// Working memory of one tile: rows of its pixels.
-class TileFit {
+// Memory that grows and is used again: a tile's own is megabytes, and taking it from the system for
+// each would cost as much as the fit.
+class ReusedRows {
  public:
-  TileFit(const Measurements& measurements, const PixelSolver& solver, FitPlanes& planes,
-          const Rect& rect)
-      : measurements_(measurements),
-        solver_(solver),
-        planes_(planes),
-        rect_(rect),
-        channels_(measurements.channels.size(), rect.pixelCount()),
-        states_(rect.pixelCount()) {}
-
-  Result<TileResult> run(const JobContext& context) {
-    CUTIS_CHECK(load());
-    collect();
-    const PixelGrouping grouping = groupEqualPixels(channels_.rows(), pixels_);
-    Solutions solutions = gather(grouping);
-    for (std::size_t begin = 0; begin < solutions.count(); begin += kRunBatch) {
-      if (context.stopRequested()) return Cancelled{};
-      solutions.solve(solver_, begin, std::min(kRunBatch, solutions.count() - begin));
-    }
-    count(grouping, solutions);
-    sampleResiduals(grouping, solutions);
-    CUTIS_CHECK(store(grouping, solutions));
-    return result_;
+  // What is in them is of the last use.
+  PixelRows<float> rows(std::size_t rowCount, std::size_t count) {
+    if (memory_.size() < rowCount * count) memory_.resize(rowCount * count);
+    return packedRows(memory_.data(), rowCount, count);
   }
 
  private:
-  // Channels and results of the pixels to solve, packed.
-  struct Solutions {
-    PixelBuffer<float> channels, values;
-    PixelBuffer<float> deviations, residuals, shading;  // if wanted
-    std::vector<PixelState> states;
-    std::vector<std::uint16_t> iterations;
+  std::vector<float> memory_;
+};
 
-    std::size_t count() const { return states.size(); }
+// Fits tiles, one after the other.
+class TileFit {
+ public:
+  TileFit(const Measurements& measurements, const PixelSolver& solver, FitPlanes& planes)
+      : measurements_(measurements), solver_(solver), planes_(planes) {}
 
-    void solve(const PixelSolver& solver, std::size_t begin, std::size_t size) {
-      const PixelRows<const float> measured = channels.rows().part(begin, size);
-      const PixelRows<float> found = values.rows().part(begin, size);
-      solver.solve(measured, found, {states.data() + begin, iterations.data() + begin});
-      if (!deviations.empty())
-        solver.deviations(measured, found, deviations.rows().part(begin, size));
-      if (!residuals.empty()) solver.residuals(measured, found, residuals.rows().part(begin, size));
-      if (!shading.empty()) solver.shading(measured, found, shading[0].data() + begin);
+  Result<TileResult> run(const Rect& rect, const JobContext& context) {
+    rect_ = rect;
+    result_ = {};
+    CUTIS_CHECK(load());
+    collect();
+    grouping_ = groupEqualPixels(channels_, pixels_, std::move(grouping_));
+    prepare();
+    for (std::size_t begin = 0; begin < solvedCount(); begin += kRunBatch) {
+      if (context.stopRequested()) return Cancelled{};
+      solve(begin, std::min(kRunBatch, solvedCount() - begin));
     }
-  };
+    count();
+    sampleResiduals();
+    CUTIS_CHECK(store());
+    return std::move(result_);
+  }
 
+ private:
   Status load() {
-    for (std::size_t k = 0; k < channels_.rowCount(); ++k) {
-      CUTIS_CHECK(measurements_.loadChannel(k, rect_, channels_[k]));
+    channels_ = channelMemory_.rows(measurements_.channels.size(), rect_.pixelCount());
+    states_.resize(rect_.pixelCount());
+    for (std::size_t k = 0; k < channels_.rowCount; ++k) {
+      CUTIS_CHECK(measurements_.loadChannel(k, rect_, {channels_.row(k), channels_.count}));
     }
     return measurements_.state.load(rect_, states_);
   }
 
   // Pixels there are to solve; counts the others.
   void collect() {
+    pixels_.clear();
     result_.pixels.total = states_.size();
-    std::vector<float> pixel(channels_.rowCount());
-    const PixelRows<const float> channels = channels_.rows();
+    std::vector<float> pixel(channels_.rowCount);
     for (std::size_t i = 0; i < states_.size(); ++i) {
       switch (pixelState(states_[i])) {
         case PixelState::masked:
@@ -101,7 +95,7 @@ class TileFit {
           break;
       }
       for (std::size_t k = 0; k < pixel.size(); ++k)
-        pixel[k] = channels.at(k, i);
+        pixel[k] = channels_.at(k, i);
       if (classify(pixel, 1.0f, false) != PixelState::solved) {
         states_[i] = storedState(PixelState::invalid);
         ++result_.pixels.invalid;
@@ -111,48 +105,61 @@ class TileFit {
     }
   }
 
-  Solutions gather(const PixelGrouping& grouping) const {
-    const std::size_t count = grouping.representatives.size();
-    Solutions solutions;
-    solutions.channels = picked(channels_, grouping.representatives);
-    solutions.values = PixelBuffer<float>(solver_.valueCount(), count);
-    solutions.states.resize(count);
-    solutions.iterations.resize(count);
-    if (!planes_.deviations.empty()) solutions.deviations = solutions.values;
-    if (!planes_.residuals.empty()) {
-      solutions.residuals = PixelBuffer<float>(channels_.rowCount(), count);
-    }
-    if (!planes_.shading.empty()) solutions.shading = PixelBuffer<float>(1, count);
-    return solutions;
+  // How many pixels are solved themselves.
+  std::size_t solvedCount() const { return grouping_.representatives.size(); }
+
+  // Room for the results of these, packed.
+  void prepare() {
+    const std::size_t count = solvedCount();
+    values_ = valueMemory_.rows(solver_.valueCount(), count);
+    solvedStates_.resize(count);
+    iterations_.resize(count);
+    if (!planes_.deviations.empty()) deviations_ = deviationMemory_.rows(values_.rowCount, count);
+    if (!planes_.residuals.empty()) residuals_ = residualMemory_.rows(channels_.rowCount, count);
+    if (!planes_.shading.empty()) shading_ = shadingMemory_.rows(1, count);
   }
 
-  void count(const PixelGrouping& grouping, const Solutions& solutions) {
-    result_.pixels.solved = solutions.count();
-    result_.pixels.duplicate = pixels_.size() - solutions.count();
-    for (const std::uint16_t n : solutions.iterations) {
+  void solve(std::size_t begin, std::size_t size) {
+    const auto pixels = std::span(grouping_.representatives).subspan(begin, size);
+    const PixelRows<const float> measured = picked(channels_, pixels, batchMemory_);
+    const PixelRows<float> found = values_.part(begin, size);
+    solver_.solve(measured, found, {solvedStates_.data() + begin, iterations_.data() + begin});
+    if (!planes_.deviations.empty())
+      solver_.deviations(measured, found, deviations_.part(begin, size));
+    if (!planes_.residuals.empty())
+      solver_.residuals(measured, found, residuals_.part(begin, size));
+    if (!planes_.shading.empty()) solver_.shading(measured, found, shading_.row(0) + begin);
+  }
+
+  void count() {
+    result_.pixels.solved = solvedCount();
+    result_.pixels.duplicate = pixels_.size() - solvedCount();
+    for (const std::uint16_t n : iterations_) {
       result_.iterations += n;
       result_.maximumIterations = std::max(result_.maximumIterations, int{n});
     }
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-      const PixelState state = solutions.states[grouping.groupOf[i]];
+      const PixelState state = solvedStates_[grouping_.groupOf[i]];
       states_[pixels_[i]] = storedState(state);
       if (state == PixelState::noConvergence) ++result_.pixels.noConvergence;
     }
   }
 
   // Residuals of a regular sample of pixels, for the statistics.
-  void sampleResiduals(const PixelGrouping& grouping, const Solutions& solutions) {
+  void sampleResiduals() {
     const auto width = static_cast<std::uint32_t>(rect_.width());
-    std::vector<std::uint32_t> groups;
+    std::vector<std::uint32_t> groups, pixels;
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
       const int x = rect_.x0 + static_cast<int>(pixels_[i] % width);
       const int y = rect_.y0 + static_cast<int>(pixels_[i] / width);
-      if (x % kResidualStep == 0 && y % kResidualStep == 0) groups.push_back(grouping.groupOf[i]);
+      if (x % kResidualStep != 0 || y % kResidualStep != 0) continue;
+      groups.push_back(grouping_.groupOf[i]);
+      pixels.push_back(pixels_[i]);
     }
-    const PixelBuffer<float> channels = picked(solutions.channels, groups);
-    const PixelBuffer<float> values = picked(solutions.values, groups);
-    PixelBuffer<float> residuals(channels.rowCount(), groups.size());
-    solver_.residuals(channels.rows(), values.rows(), residuals.rows());
+    const PixelRows<const float> values = picked(values_, groups, sampleMemory_);
+    const PixelRows<const float> channels = picked(channels_, pixels, batchMemory_);
+    PixelBuffer<float> residuals(channels.rowCount, groups.size());
+    solver_.residuals(channels, values, residuals.rows());
     for (std::size_t i = 0; i < groups.size(); ++i) {
       double sum = 0.0;
       for (std::size_t k = 0; k < residuals.rowCount(); ++k) {
@@ -164,38 +171,33 @@ class TileFit {
     }
   }
 
-  Status store(const PixelGrouping& grouping, const Solutions& solutions) {
+  Status store() {
     std::vector<Plane> values = planes_.maps.planes();
-    CUTIS_CHECK(spread(grouping, solutions.values, values));
-    CUTIS_CHECK(spread(grouping, solutions.deviations, planes_.deviations));
-    CUTIS_CHECK(spread(grouping, solutions.residuals, planes_.residuals));
-    if (!planes_.shading.empty()) {
-      CUTIS_CHECK(spread(grouping, solutions.shading, std::span(&planes_.shading, 1)));
-    }
+    CUTIS_CHECK(spread(values_, values));
+    CUTIS_CHECK(spread(deviations_, planes_.deviations));
+    CUTIS_CHECK(spread(residuals_, planes_.residuals));
+    if (!planes_.shading.empty()) CUTIS_CHECK(spread(shading_, std::span(&planes_.shading, 1)));
     return planes_.maps.state.store(rect_, states_);
   }
 
   // A plane a row; 0 where nothing was solved.
-  Status spread(const PixelGrouping& grouping, const PixelBuffer<float>& from,
-                std::span<Plane> planes) const {
-    std::vector<float> pixels(rect_.pixelCount());
+  Status spread(PixelRows<const float> from, std::span<Plane> planes) {
+    plane_.assign(rect_.pixelCount(), 0.0f);
     for (std::size_t k = 0; k < planes.size(); ++k) {
-      const std::span<const float> row = from[k];
+      const float* row = from.row(k);
       for (std::size_t i = 0; i < pixels_.size(); ++i)
-        pixels[pixels_[i]] = row[grouping.groupOf[i]];
-      CUTIS_CHECK(planes[k].store(rect_, pixels));
+        plane_[pixels_[i]] = row[grouping_.groupOf[i]];
+      CUTIS_CHECK(planes[k].store(rect_, plane_));
     }
     return {};
   }
 
-  static PixelBuffer<float> picked(const PixelBuffer<float>& from,
-                                   const std::vector<std::uint32_t>& pixels) {
-    PixelBuffer<float> to(from.rowCount(), pixels.size());
-    for (std::size_t k = 0; k < from.rowCount(); ++k) {
-      const std::span<const float> source = from[k];
-      const std::span<float> target = to[k];
+  static PixelRows<const float> picked(PixelRows<const float> from,
+                                       std::span<const std::uint32_t> pixels, ReusedRows& memory) {
+    const PixelRows<float> to = memory.rows(from.rowCount, pixels.size());
+    for (std::size_t k = 0; k < from.rowCount; ++k) {
       for (std::size_t i = 0; i < pixels.size(); ++i)
-        target[i] = source[pixels[i]];
+        to.at(k, i) = from.at(k, pixels[i]);
     }
     return to;
   }
@@ -203,11 +205,49 @@ class TileFit {
   const Measurements& measurements_;
   const PixelSolver& solver_;
   FitPlanes& planes_;
-  const Rect rect_;
-  PixelBuffer<float> channels_;
-  std::vector<float> states_;  // as they are stored
-  std::vector<std::uint32_t> pixels_;
+  Rect rect_;
   TileResult result_;
+  ReusedRows channelMemory_, valueMemory_, deviationMemory_, residualMemory_, shadingMemory_;
+  ReusedRows batchMemory_, sampleMemory_;
+  PixelRows<float> channels_;                          // of all pixels of the tile
+  PixelRows<float> values_;                            // of the pixels that are solved themselves
+  PixelRows<float> deviations_, residuals_, shading_;  // of these, if wanted
+  std::vector<float> states_;                          // as they are stored
+  std::vector<float> plane_;
+  std::vector<std::uint32_t> pixels_;
+  PixelGrouping grouping_;
+  std::vector<PixelState> solvedStates_;
+  std::vector<std::uint16_t> iterations_;
+};
+
+// One for each thread at work: whoever begins a tile borrows one.
+class TileFits {
+ public:
+  TileFits(const Measurements& measurements, const PixelSolver& solver, FitPlanes& planes)
+      : measurements_(measurements), solver_(solver), planes_(planes) {}
+
+  Result<TileResult> run(const Rect& rect, const JobContext& context) {
+    std::unique_ptr<TileFit> fit = borrow();
+    Result<TileResult> result = fit->run(rect, context);
+    const std::scoped_lock lock(mutex_);
+    idle_.push_back(std::move(fit));
+    return result;
+  }
+
+ private:
+  std::unique_ptr<TileFit> borrow() {
+    const std::scoped_lock lock(mutex_);
+    if (idle_.empty()) return std::make_unique<TileFit>(measurements_, solver_, planes_);
+    std::unique_ptr<TileFit> fit = std::move(idle_.back());
+    idle_.pop_back();
+    return fit;
+  }
+
+  const Measurements& measurements_;
+  const PixelSolver& solver_;
+  FitPlanes& planes_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<TileFit>> idle_;
 };
 
 FitStatistics combine(const std::vector<TileResult>& tiles) {
@@ -269,10 +309,11 @@ Result<FitStatistics> runFit(const Measurements& measurements, const PixelSolver
     rects.push_back(planes.maps.state.tileRect(static_cast<int>(i)));
   }
   TileOrder order(rects);
+  TileFits fits(measurements, solver, planes);
   CUTIS_CHECK(parallelFor(tileCount, stage, [&](std::size_t) -> Status {
     const std::size_t i = order.next(observer.view ? observer.view() : Rect{});
     const Rect& rect = rects[i];
-    CUTIS_TRY(tile, TileFit(measurements, solver, planes, rect).run(context));
+    CUTIS_TRY(tile, fits.run(rect, context));
     tiles[i] = std::move(tile);
     if (observer.finished) observer.finished(rect);
     return {};

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "core/base/random.h"
 
@@ -67,8 +68,10 @@ bool sampleRepeats(PixelRows<const float> channels, const std::vector<std::uint3
 }  // namespace
 
 PixelGrouping groupEqualPixels(PixelRows<const float> channels,
-                               const std::vector<std::uint32_t>& pixels) {
-  PixelGrouping grouping;
+                               const std::vector<std::uint32_t>& pixels, PixelGrouping reused) {
+  PixelGrouping grouping = std::move(reused);
+  grouping.representatives.clear();
+  grouping.groupOf.clear();
   grouping.groupOf.reserve(pixels.size());
   if (!sampleRepeats(channels, pixels)) {
     grouping.representatives = pixels;

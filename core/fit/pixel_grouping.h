@@ -17,8 +17,8 @@ struct PixelGrouping {
 
 // pixels: which of them to group, increasing. Equal means the same bits in every channel. Where a
 // sample of the pixels shows hardly any repetition every pixel is its own group: looking for equals
-// would cost more than it saves.
+// would cost more than it saves. reused: a grouping whose memory may be taken.
 PixelGrouping groupEqualPixels(PixelRows<const float> channels,
-                               const std::vector<std::uint32_t>& pixels);
+                               const std::vector<std::uint32_t>& pixels, PixelGrouping reused = {});
 
 }  // namespace cutis

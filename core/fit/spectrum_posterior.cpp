@@ -4,10 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/fit/assumed_noise.h"
 #include "core/fit/coefficient_line.h"
-#include "core/fit/coordinate_prior.h"
-#include "core/fit/discrepancy_choice.h"
 #include "core/maths/decompositions.h"
 
 namespace cutis {
@@ -25,14 +22,14 @@ struct SpectrumPosterior::Linearisation {
   MatrixXd derivatives;  // [sample][unknown]
 };
 
-SpectrumPosterior::SpectrumPosterior(const SkinModel& model, const Rig& rig,
-                                     const FitOptions& options)
+SpectrumPosterior::SpectrumPosterior(const SkinModel& model, const FitRecord& record)
     : model_(model),
-      rows_(responseRows(rig)),
-      noise_(assumedNoise(rig, options)),
-      coordinates_(coordinatePrior(assumedPrior(model.profile(), rig, options),
-                                   model.profile().axes, options.fixed)),
-      discrepancy_(chosenDiscrepancy(model.profile(), rig, options)) {
+      rows_(record.responses),
+      noise_(record.noise),
+      shadingVariance_(record.shading ? *record.shading * *record.shading : 0.0),
+      coordinates_(coordinatePrior(record.prior, model.profile().axes, record.fixed)),
+      discrepancy_(record.discrepancy ? model.profile().discrepancies.of(record.surface)
+                                      : nullptr) {
   for (Index k = 0; k < rows_.rows(); ++k) {
     if ((rows_.row(k) != 0.0).any()) seeing_.push_back(k);
   }
@@ -89,13 +86,15 @@ MatrixXd SpectrumPosterior::covarianceAt(const Linearisation& at,
                                          std::span<const double> channels) const {
   const MatrixXd prior = priorCovariance();
   MatrixXd seen(static_cast<Index>(seeing_.size()), at.derivatives.cols());
-  VectorXd noise(seen.rows());
+  VectorXd noise(seen.rows()), modelled(seen.rows());
   for (Index k = 0; k < seen.rows(); ++k) {
     const Index row = seeing_[static_cast<std::size_t>(k)];
     seen.row(k) = rows_.row(row).matrix() * at.derivatives;
     noise[k] = noise_.variance(channels[static_cast<std::size_t>(row)]);
+    modelled[k] = (rows_.row(row).transpose() * at.reflectance).sum();
   }
   MatrixXd system = seen * prior * seen.transpose();
+  system += shadingVariance_ * modelled * modelled.transpose();
   system.diagonal() += noise;
   const MatrixXd gained = seen * prior;
   const MatrixXd covariance = prior - gained.transpose() * solvePositive(system, gained);
@@ -121,6 +120,11 @@ Spectrum SpectrumPosterior::deviation(std::span<const double> channels,
 
 Spectrum SpectrumPosterior::reflectance(std::span<const double> values) const {
   return linearise(values).reflectance;
+}
+
+std::vector<double> SpectrumPosterior::channels(std::span<const double> values) const {
+  const VectorXd modelled = rows_.matrix() * reflectance(values).matrix();
+  return {modelled.begin(), modelled.end()};
 }
 
 }  // namespace cutis

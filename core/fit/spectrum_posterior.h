@@ -6,7 +6,8 @@
 // Near the estimate the channels are linear in the coordinates of the parameters and in the
 // coefficients of the discrepancy, and all of it is normal; parameters at the ends of their ranges
 // count as free. The rest of the discrepancy, which no channel tells, adds to the spectrum's
-// variance. Double precision, about 0.1 ms a pixel. Thread-safe: const after construction.
+// variance, and shading of an unknown amount to the channels' noise. Double precision, about 0.1 ms
+// a pixel. Thread-safe: const after construction.
 
 #include <span>
 #include <vector>
@@ -14,16 +15,19 @@
 #include <Eigen/Core>
 
 #include "core/fit/coordinate_prior.h"
-#include "core/fit/fit_options.h"
-#include "core/rig/rig.h"
+#include "core/fit/fit_record.h"
 #include "core/skin/model/skin_model.h"
 
 namespace cutis {
 
 class SpectrumPosterior {
  public:
-  // As the fit was asked for. The model outlives it.
-  SpectrumPosterior(const SkinModel& model, const Rig& rig, const FitOptions& options);
+  // Of a fit without free constants. The model outlives it. Precondition: the record is valid with
+  // the model's profile.
+  SpectrumPosterior(const SkinModel& model, const FitRecord& record);
+  // As the fit was asked for.
+  SpectrumPosterior(const SkinModel& model, const Rig& rig, const FitOptions& options)
+      : SpectrumPosterior(model, fitRecord(model.profile(), rig, options)) {}
 
   // How many values a pixel has.
   std::size_t valueCount() const {
@@ -32,7 +36,8 @@ class SpectrumPosterior {
   }
 
   // values: the five parameters, then the coefficients of the discrepancy where the fit estimates
-  // one. channels: as measured, finite.
+  // one. channels: as measured, finite; or as modelled, where the measured ones are not at hand:
+  // they only say how much noise there is.
   //
   // Covariance of the coordinates of the parameters (logarithms where the prior has them; nothing
   // for those that are held) and of the coefficients.
@@ -40,8 +45,9 @@ class SpectrumPosterior {
                              std::span<const double> values) const;
   // Standard deviation of the reflectance at each sample.
   Spectrum deviation(std::span<const double> channels, std::span<const double> values) const;
-  // The reflectance itself.
+  // The reflectance itself, and what the channels are of it.
   Spectrum reflectance(std::span<const double> values) const;
+  std::vector<double> channels(std::span<const double> values) const;
 
  private:
   struct Linearisation;
@@ -53,6 +59,7 @@ class SpectrumPosterior {
   SpectrumRows rows_;
   std::vector<Eigen::Index> seeing_;  // the channels that see something
   NoiseModel noise_;
+  double shadingVariance_;
   CoordinatePrior coordinates_;
   const Discrepancy* discrepancy_;  // null: none
 };

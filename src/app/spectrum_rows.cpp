@@ -6,6 +6,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
+#include "core/fit/spectrum_posterior.h"
 #include "core/render/skin_spectra.h"
 #include "core/skin/parameter_buffer.h"
 
@@ -17,21 +18,21 @@ constexpr int kDigits = 9;
 constexpr std::size_t kRowsPerPiece = 64;
 constexpr std::size_t kPiecesPerWrite = 64;
 
-void appendReflectances(const Spectrum& spectrum, std::string& text) {
+void appendNumbers(const Spectrum& spectrum, std::string& text) {
   for (int i = 0; i < kSampleCount; ++i) {
     if (i > 0) text += ',';
     text += formatNumber(spectrum[i], kDigits);
   }
-  text += '\n';
 }
 
-std::string headerRow() {
+// The wavelengths, each behind a prefix.
+std::string columnNames(const std::string& prefix) {
   std::string text;
   for (int i = 0; i < kSampleCount; ++i) {
     if (i > 0) text += ',';
-    text += std::to_string(kFirstWavelengthNm + kWavelengthStepNm * i);
+    text += prefix + std::to_string(kFirstWavelengthNm + kWavelengthStepNm * i);
   }
-  return text + "\n";
+  return text;
 }
 
 // append(row, text) adds a row's text, on any thread.
@@ -61,8 +62,10 @@ Status writeRows(std::size_t count, const std::function<void(std::size_t, std::s
 // The spectra of some pixels of maps.
 class MapSpectra {
  public:
-  MapSpectra(const SkinSpectra& spectra, const ChromophoreMaps& maps, SkinConstants usual)
-      : spectra_(spectra), maps_(maps), usual_(usual) {}
+  // posterior: null where deviations are not asked for.
+  MapSpectra(const SkinSpectra& spectra, const ChromophoreMaps& maps, SkinConstants usual,
+             const SpectrumPosterior* posterior)
+      : spectra_(spectra), maps_(maps), usual_(usual), posterior_(posterior) {}
 
   // Writes the pixels of a rectangle that have an estimate.
   Status write(const Rect& rect, const TextSink& sink, const JobContext& context) const {
@@ -76,7 +79,12 @@ class MapSpectra {
       const std::size_t i = present[row];
       text += std::to_string(rect.x0 + static_cast<int>(i % width)) + ',' +
               std::to_string(rect.y0 + static_cast<int>(i / width)) + ',';
-      appendReflectances(spectrumOf(buffer, i), text);
+      appendNumbers(spectrumOf(buffer, i), text);
+      if (posterior_ != nullptr) {
+        text += ',';
+        appendNumbers(deviationOf(buffer, i), text);
+      }
+      text += '\n';
     };
     return writeRows(present.size(), append, sink, context);
   }
@@ -98,10 +106,33 @@ class MapSpectra {
     return spectra_.reflectance(parameters, constants, coefficients);
   }
 
+  // The measured channels are not in the maps; modelled ones have the same noise.
+  Spectrum deviationOf(const ParameterBuffer& buffer, std::size_t pixel) const {
+    const PixelRows<const float> rows = buffer.batch();
+    std::vector<double> values;
+    for (std::size_t k = 0; k < rows.rowCount; ++k)
+      values.push_back(double{rows.at(k, pixel)});
+    return posterior_->deviation(posterior_->channels(values), values);
+  }
+
   const SkinSpectra& spectra_;
   const ChromophoreMaps& maps_;
   SkinConstants usual_;
+  const SpectrumPosterior* posterior_;
 };
+
+Status checkDeviations(const ChromophoreMaps& maps, const FitRecord& record,
+                       const SpectrumPosterior& posterior, const std::string& name) {
+  if (maps.free().count() > 0 || record.free.count() > 0) {
+    return inputError(name,
+                      "nobody knows how far spectra with constants found for each pixel may be "
+                      "off; leave the deviations out, or fit without free constants");
+  }
+  if (posterior.valueCount() == kParameterCount + maps.coefficients.size()) return {};
+  return inputError(name,
+                    "what the maps say of their fit does not go with what they hold; fit "
+                    "the image again");
+}
 
 Status checkPlace(const ChromophoreMaps& maps, const PixelPlace& place, const std::string& name) {
   const std::string where = std::to_string(place.x) + "," + std::to_string(place.y);
@@ -120,26 +151,33 @@ Status checkPlace(const ChromophoreMaps& maps, const PixelPlace& place, const st
 
 Status writeSpectra(const InstrumentModel& model, const std::vector<ParameterVector>& sets,
                     const TextSink& write, const JobContext& context) {
-  CUTIS_CHECK(write(headerRow()));
+  CUTIS_CHECK(write(columnNames({}) + "\n"));
   const auto append = [&](std::size_t row, std::string& text) {
-    appendReflectances(model.reflectance(sets[row]), text);
+    appendNumbers(model.reflectance(sets[row]), text);
+    text += '\n';
   };
   return writeRows(sets.size(), append, write, context);
 }
 
 Status writeMapSpectra(const std::shared_ptr<const SkinModel>& model, const ChromophoreMaps& maps,
-                       const std::vector<PixelPlace>& places, const std::string& name,
+                       const MapSpectraOptions& options, const std::string& name,
                        const TextSink& write, const JobContext& context) {
-  for (const PixelPlace& place : places)
+  for (const PixelPlace& place : options.places)
     CUTIS_CHECK(checkPlace(maps, place, name));
+  std::optional<SpectrumPosterior> posterior;
+  if (options.deviationsOf) {
+    posterior.emplace(*model, *options.deviationsOf);
+    CUTIS_CHECK(checkDeviations(maps, *options.deviationsOf, *posterior, name));
+  }
   CUTIS_TRY(spectra, SkinSpectra::make(model, maps.perPixel(), context.child(0.0, 0.0)));
-  const MapSpectra rows(spectra, maps, constantsOf(model->profile()));
-  CUTIS_CHECK(write("x,y," + headerRow()));
-  for (const PixelPlace& place : places) {
+  const MapSpectra rows(spectra, maps, constantsOf(model->profile()),
+                        posterior ? &*posterior : nullptr);
+  CUTIS_CHECK(write("x,y," + columnNames({}) + (posterior ? "," + columnNames("sd") : "") + "\n"));
+  for (const PixelPlace& place : options.places) {
     CUTIS_CHECK(rows.write({place.x, place.y, place.x + 1, place.y + 1}, write,
                            {context.stop, {}, context.notice}));
   }
-  if (!places.empty()) return {};
+  if (!options.places.empty()) return {};
   for (int y = 0; y < maps.height(); ++y) {
     const double height = maps.height();
     CUTIS_CHECK(rows.write({0, y, maps.width(), y + 1}, write,

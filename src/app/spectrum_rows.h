@@ -6,11 +6,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
+#include "core/fit/fit_record.h"
 #include "core/skin/chromophore_maps.h"
 #include "core/skin/model/instrument_model.h"
 
@@ -27,12 +30,20 @@ struct PixelPlace {
   int x = 0, y = 0;
 };
 
+struct MapSpectraOptions {
+  std::vector<PixelPlace> places;  // none: all pixels with an estimate
+  // Of the fit that made the maps: adds columns sd300, sd302, …, sd1000 with the posterior standard
+  // deviations, about 0.2 ms a pixel and core.
+  std::optional<FitRecord> deviationsOf;
+};
+
 // The header row with x,y in front, and a row for each pixel with an estimate, in reading order; or
-// for those at `places`, in their order. What the maps hold beside the parameters counts. Errors:
-// those of `write` and of reading tiles, and a place outside or without an estimate; `name` stands
-// in front of these. Cancelled if asked to stop.
+// for those at the places, in their order. What the maps hold beside the parameters counts. Errors:
+// those of `write` and of reading tiles, a place outside or without an estimate, and deviations of
+// maps with constants per pixel, which nobody knows; `name` stands in front of these. Cancelled if
+// asked to stop.
 Status writeMapSpectra(const std::shared_ptr<const SkinModel>& model, const ChromophoreMaps& maps,
-                       const std::vector<PixelPlace>& places, const std::string& name,
+                       const MapSpectraOptions& options, const std::string& name,
                        const TextSink& write, const JobContext& context);
 
 }  // namespace cutis

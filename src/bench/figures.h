@@ -41,6 +41,15 @@ struct BoundFigures {
   std::optional<double> printed;  // the design's figure for the visible band, for this rig
 };
 
+// The refined fit of people with what the profile's model leaves over, and the bound that includes
+// it.
+struct DiscrepancyFigures {
+  double noise = 0.0;
+  ErrorBound errors;  // reached, mean squared errors
+  ErrorBound bound;
+  double overBound = 0.0;  // visible
+};
+
 struct CoverageFigures {
   std::string prior;  // "wide", "population"
   double noise = 0.0;
@@ -132,7 +141,8 @@ struct BenchFigures {
   std::vector<MethodFigures> sample;  // pixels of the sample instead of the population
   std::vector<NetworkFigures> networks;
   std::vector<StartFigures> starts;
-  std::optional<double> trainingSeconds;  // of networks for the rig, if any were trained
+  std::optional<double> trainingSeconds;        // of networks for the rig, if any were trained
+  std::vector<DiscrepancyFigures> discrepancy;  // none for a profile without one
   std::vector<CoverageFigures> coverage;
   std::vector<VariantFigures> lights;
   std::vector<VariantFigures> parameters;

@@ -70,6 +70,8 @@ Result<std::shared_ptr<const PixelSolver>> MethodSolvers::solver(BenchMethod met
                                                                  bool caroteneFixed) {
   if (!isRefined(method) && method != BenchMethod::network) return search(method);
   FitOptions options;
+  // The people of the protocol are the model's own.
+  options.discrepancy = false;
   if (method == BenchMethod::network) {
     options.method = FitMethod::network;
     options.network = network_;

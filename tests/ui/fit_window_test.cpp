@@ -61,13 +61,13 @@ class FitWindowTest : public test::UiTest {
     const double factor = sliderNamed("Melanin")->number();
     const QRect view = viewOf();
     const QImage before = pictureOf();
-    QTest::keyClick(boxNamed("Profile"), Qt::Key_Up);
+    QTest::keyClick(boxNamed("Profile"), Qt::Key_Home);
     QCOMPARE(boxNamed("Profile")->currentText(), QString("li2024"));
     waitUntilIdle();
     QVERIFY(pictureOf() != before);
     QCOMPARE(sliderNamed("Melanin")->number(), factor);
     QCOMPARE(viewOf(), view);
-    QTest::keyClick(boxNamed("Profile"), Qt::Key_Down);
+    QTest::keyClick(boxNamed("Profile"), Qt::Key_End);
     waitUntilIdle();
     QVERIFY(pictureOf() == before);
     QCOMPARE(sliderNamed("Melanin")->number(), factor);
@@ -86,10 +86,10 @@ class FitWindowTest : public test::UiTest {
 
   void aFitThatIsCancelledLeavesThePictureAndThePanel() {
     const QImage before = pictureOf();
-    QTest::keyClick(boxNamed("Profile"), Qt::Key_Up);
+    QTest::keyClick(boxNamed("Profile"), Qt::Key_Home);
     QTRY_VERIFY(window_->progress().jobRuns());
     QTest::keyClick(window_.get(), Qt::Key_Escape);
-    QCOMPARE(boxNamed("Profile")->currentText(), QString("skin2026"));
+    QCOMPARE(boxNamed("Profile")->currentText(), QString(kDefaultProfile));
     waitUntilIdle();
     QVERIFY(pictureOf() == before);
     QVERIFY(window_->document().isFitted());
@@ -125,7 +125,7 @@ class FitWindowTest : public test::UiTest {
     window_->fit().fitWithProfile(broken);
     waitUntilIdle();
     QVERIFY(window_->progress().message().contains("broken.json"));
-    QCOMPARE(boxNamed("Profile")->currentText(), QString("skin2026"));
+    QCOMPARE(boxNamed("Profile")->currentText(), QString(kDefaultProfile));
     QCOMPARE(boxNamed("Profile")->findData(broken), -1);
   }
 
@@ -145,7 +145,7 @@ class FitWindowTest : public test::UiTest {
     QVERIFY(dialog.isVisible() && dialog.isTraining() && !dialog.isModal());
     QVERIFY(!buttonNamed(dialog, "Use it")->isVisible());
     // Whatever is looked at meanwhile: the network is of the profile it was trained for.
-    window_->fit().fitWithProfile("skin2026");
+    window_->fit().fitWithProfile(kDefaultProfile);
     waitUntilIdle();
     QVERIFY(!dialog.isTraining() && window_->training().isTrained());
     QTest::mouseClick(buttonNamed(dialog, "Use it"), Qt::LeftButton);
@@ -166,7 +166,7 @@ class FitWindowTest : public test::UiTest {
     const auto read = readNetworks(path.toStdString());
     EXPECT_OK(read);
     QCOMPARE(read.value().rig, std::string("monitor"));
-    QCOMPARE(read.value().profile, std::string("skin2026"));
+    QCOMPARE(read.value().profile, std::string(kDefaultProfile));
     QVERIFY(read.value().command.find("--lights white,white+blue,white+green") !=
             std::string::npos);
     window_->training().save(file("no/such/folder/weights.json"));

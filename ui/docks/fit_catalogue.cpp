@@ -7,6 +7,8 @@
 namespace cutis {
 namespace {
 
+constexpr char kWithoutDiscrepancy[] = "skin2026";
+
 QString tr(const char* text) {
   return QCoreApplication::translate("FitCatalogue", text);
 }
@@ -33,7 +35,12 @@ const std::vector<MethodDescription>& methodCatalogue() {
 
 QString profileToolTip(const QString& profile) {
   if (profile == kDefaultProfile) {
-    return tr("Calibrated on measured skin: use it unless you compare with the paper");
+    return tr(
+        "Calibrated on measured skin, and knows what its model leaves over: use it unless you "
+        "compare with the paper");
+  }
+  if (profile == kWithoutDiscrepancy) {
+    return tr("The same without what its model leaves over of measured skin: the default before");
   }
   if (profile == kPaperProfile) {
     return tr("The paper's model: to compare with it; far too bright in the ultraviolet");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/fit/deviation_limit.h"
 #include "core/maths/decompositions.h"
 #include "core/maths/weighted_sums.h"
 
@@ -178,9 +179,11 @@ void FreeEstimator<N>::deviationsAt(const Point& point, const EquationsOf<N>& eq
   for (int k = 0; k < kParameterCount; ++k) {
     const auto index = static_cast<std::size_t>(k);
     const double unit = problem_.parameters.isLog[index] ? range_[k] * values[k] : range_[k];
-    deviations[k] = problem_.parameters.isFixed[index]
-                        ? 0.0
-                        : unit * std::sqrt(std::max(0.0, covariance(k, k)));
+    const double high = problem_.parameters.high[k];
+    const double maximum = problem_.parameters.isLog[index] ? std::exp(high) : high;
+    const double deviation = unit * std::sqrt(std::max(0.0, covariance(k, k)));
+    deviations[k] =
+        problem_.parameters.isFixed[index] ? 0.0 : limitedDeviation(deviation, values[k], maximum);
   }
   for (const SkinConstant constant : kSkinConstants) {
     if (!coordinates.free().has(constant)) continue;

@@ -35,14 +35,15 @@ ExactPass::ExactPass(const SkinModel& model, const SpectralNodes& nodes, const P
 }
 
 void ExactPass::finish(PixelRows<const float> channels, PixelRows<float> coordinates,
-                       std::uint16_t* rounds, std::uint8_t* converged) const {
+                       PixelRows<float> coefficients, std::uint16_t* rounds,
+                       std::uint8_t* converged) const {
   Ends ends(channels.count);
   for (std::size_t k = 0; k < kParameterCount; ++k) {
     std::copy_n(coordinates.row(k), channels.count, ends.coordinates[k].begin());
   }
-  runRefinedKernel(exact_.problem(),
-                   {channels, ends.coordinates.rows(), converged, rounds, ends.costs.data()});
-  retry(channels, ends, rounds, converged);
+  runRefinedKernel(exact_.problem(), {channels, ends.coordinates.rows(), converged, rounds,
+                                      ends.costs.data(), coefficients});
+  retry(channels, ends, coefficients, rounds, converged);
   for (std::size_t k = 0; k < kParameterCount; ++k) {
     const std::span<const double> row = ends.coordinates[k];
     std::transform(row.begin(), row.end(), coordinates.row(k),
@@ -50,8 +51,8 @@ void ExactPass::finish(PixelRows<const float> channels, PixelRows<float> coordin
   }
 }
 
-void ExactPass::retry(PixelRows<const float> channels, Ends& ends, std::uint16_t* rounds,
-                      std::uint8_t* converged) const {
+void ExactPass::retry(PixelRows<const float> channels, Ends& ends, PixelRows<float> coefficients,
+                      std::uint16_t* rounds, std::uint8_t* converged) const {
   const std::size_t channelCount = exact_.problem().channelCount;
   const double noiseFree = kNoiseFreeResidual * kNoiseFreeResidual *
                            static_cast<double>(channelCount) / exact_.problem().readVariance;
@@ -63,6 +64,7 @@ void ExactPass::retry(PixelRows<const float> channels, Ends& ends, std::uint16_t
   const std::size_t count = astray.size();
   Ends again(count);
   PixelBuffer<float> measured(channelCount, count), start(kParameterCount, count);
+  PixelBuffer<float> coefficientsAgain(coefficients.rowCount, count);
   for (std::size_t k = 0; k < channelCount; ++k) {
     for (std::size_t n = 0; n < count; ++n)
       measured[k][n] = channels.at(k, astray[n]);
@@ -74,7 +76,7 @@ void ExactPass::retry(PixelRows<const float> channels, Ends& ends, std::uint16_t
     std::copy_n(start[k].begin(), count, again.coordinates[k].begin());
   runRefinedKernel(exact_.problem(),
                    {measured.rows(), again.coordinates.rows(), convergedAgain.data(),
-                    roundsAgain.data(), again.costs.data()});
+                    roundsAgain.data(), again.costs.data(), coefficientsAgain.rows()});
   for (std::size_t n = 0; n < count; ++n) {
     const std::size_t i = astray[n];
     rounds[i] = static_cast<std::uint16_t>(rounds[i] + roundsAgain[n]);
@@ -82,6 +84,8 @@ void ExactPass::retry(PixelRows<const float> channels, Ends& ends, std::uint16_t
     converged[i] = convergedAgain[n];
     for (std::size_t k = 0; k < kParameterCount; ++k)
       ends.coordinates[k][i] = again.coordinates[k][n];
+    for (std::size_t c = 0; c < coefficients.rowCount; ++c)
+      coefficients.at(c, i) = coefficientsAgain[c][n];
   }
 }
 

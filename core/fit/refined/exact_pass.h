@@ -22,14 +22,14 @@ class ExactPass {
             const NoiseModel& noise, const FitOptions& options,
             const ChannelDiscrepancy& discrepancy = {});
 
-  // Coordinates in and out. Adds to rounds.
-  void finish(PixelRows<const float> channels, PixelRows<float> coordinates, std::uint16_t* rounds,
-              std::uint8_t* converged) const;
+  // Coordinates in and out, coefficients out unless there are none. Adds to rounds.
+  void finish(PixelRows<const float> channels, PixelRows<float> coordinates,
+              PixelRows<float> coefficients, std::uint16_t* rounds, std::uint8_t* converged) const;
 
  private:
   struct Ends;
-  void retry(PixelRows<const float> channels, Ends& ends, std::uint16_t* rounds,
-             std::uint8_t* converged) const;
+  void retry(PixelRows<const float> channels, Ends& ends, PixelRows<float> coefficients,
+             std::uint16_t* rounds, std::uint8_t* converged) const;
 
   RefinedProblemData<double> exact_;
   FastPass cautious_;

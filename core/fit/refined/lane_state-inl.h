@@ -34,7 +34,7 @@ struct Lanes {
   V cost;                   // at the base
   V decrease;               // of the cost that the whole step promises
   V doubtful;               // 1 where the step is not Newton's from the base itself, else 0
-  // What the last round with derivatives left.
+  // What the last round with derivatives left; the first column is the last round's of either kind.
   V modelled[kMaximumFitChannels][kLinearColumns];
   Factorisation<V> factor;
   V free[kParameterCount];  // 0 where the coordinate was held, else 1
@@ -54,15 +54,51 @@ HWY_INLINE V ShorterShare(D d, const Lanes<V>& lanes, V cost) {
                  hn::Min(hn::Mul(lanes.share, hn::Set(d, T(0.5))), lowest));
 }
 
+// Modelled channels, with or without derivatives, as the residuals want them.
+template <std::size_t kColumns, class D, class V = hn::Vec<D>>
+HWY_INLINE void ExpectDiscrepancy(D d, const RefinedProblem<hn::TFromD<D>>& problem,
+                                  const Lanes<V>& lanes, const V* coordinates,
+                                  V (*modelled)[kColumns]) {
+  if (!problem.hasDiscrepancy) return;
+  AddExpectedDiscrepancy(d, problem, lanes.measured, coordinates, modelled);
+  lanes.whitening.Apply(d, problem, modelled);
+}
+
 // What goes to memory of a lane that is put aside.
 template <typename T>
 struct Straggler {
+  static constexpr int kFields = 2 * kParameterCount + 4;
+
   std::uint32_t pixel;
   std::uint32_t rounds;
-  T base[kParameterCount];
-  T step[kParameterCount];
-  T share, cost, decrease, doubtful;
+  T fields[kFields];  // base, step, share, cost, decrease, doubtful
 };
+
+template <class D, std::size_t kLanes, class V = hn::Vec<D>, class T = hn::TFromD<D>>
+HWY_INLINE void StoreFields(D d, const Lanes<V>& lanes, T (*fields)[kLanes]) {
+  for (int i = 0; i < kParameterCount; ++i) {
+    hn::Store(lanes.base[i], d, fields[i]);
+    hn::Store(lanes.step[i], d, fields[kParameterCount + i]);
+  }
+  T(*others)[kLanes] = fields + 2 * kParameterCount;
+  hn::Store(lanes.share, d, others[0]);
+  hn::Store(lanes.cost, d, others[1]);
+  hn::Store(lanes.decrease, d, others[2]);
+  hn::Store(lanes.doubtful, d, others[3]);
+}
+
+template <class D, std::size_t kLanes, class V = hn::Vec<D>, class T = hn::TFromD<D>>
+HWY_INLINE void LoadFields(D d, const T (*fields)[kLanes], Lanes<V>& lanes) {
+  for (int i = 0; i < kParameterCount; ++i) {
+    lanes.base[i] = hn::Load(d, fields[i]);
+    lanes.step[i] = hn::Load(d, fields[kParameterCount + i]);
+  }
+  const T(*others)[kLanes] = fields + 2 * kParameterCount;
+  lanes.share = hn::Load(d, others[0]);
+  lanes.cost = hn::Load(d, others[1]);
+  lanes.decrease = hn::Load(d, others[2]);
+  lanes.doubtful = hn::Load(d, others[3]);
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace cutis

@@ -19,13 +19,16 @@ namespace cutis {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// 1 / variance of a measured channel.
+// The variance of a measured channel by its noise, and 1 / variance.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V ChannelVariance(D d, const RefinedProblem<hn::TFromD<D>>& problem, V channel) {
+  const V varying = hn::Add(channel, hn::Set(d, problem.veil));
+  return hn::MulAdd(hn::Mul(hn::Set(d, problem.proportionalVariance), varying), varying,
+                    hn::Set(d, problem.readVariance));
+}
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V ChannelPrecision(D d, const RefinedProblem<hn::TFromD<D>>& problem, V channel) {
-  const V varying = hn::Add(channel, hn::Set(d, problem.veil));
-  const V variance = hn::MulAdd(hn::Mul(hn::Set(d, problem.proportionalVariance), varying), varying,
-                                hn::Set(d, problem.readVariance));
-  return hn::Div(hn::Set(d, hn::TFromD<D>(1)), variance);
+  return hn::Div(hn::Set(d, hn::TFromD<D>(1)), ChannelVariance(d, problem, channel));
 }
 
 // Parameters at a point of coordinates.

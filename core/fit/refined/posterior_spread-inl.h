@@ -51,30 +51,43 @@ class CoordinatePosterior {
         hn::Set(d, kLeast),
         hn::Min(hn::Set(d, kMost),
                 hn::Div(hn::Set(d, T(4) * problem_.priorDeviation[coordinate_]), deviation)));
-    const V cubic = hn::Sub(reach, hn::Set(d, kLinear));
-    V mass = hn::Zero(d), moment = hn::Zero(d);
-    for (int j = -kHalf; j <= kHalf; ++j) {
-      const T t = static_cast<T>(j) / T(kHalf);
-      const V away =
-          hn::Mul(deviation, hn::MulAdd(cubic, hn::Set(d, t * t * t), hn::Set(d, kLinear * t)));
-      const V x = hn::Add(estimate_, away);
-      const V width = hn::MulAdd(cubic, hn::Set(d, T(3) * t * t), hn::Set(d, kLinear));
-      const auto inside = hn::And(hn::Ge(x, hn::Set(d, problem_.low[coordinate_])),
-                                  hn::Le(x, hn::Set(d, problem_.high[coordinate_])));
-      const V share = hn::IfThenElseZero(inside, hn::Mul(width, Density(d, x, away)));
-      mass = hn::Add(mass, share);
-      moment = hn::MulAdd(hn::Mul(share, away), away, moment);
-    }
-    // The estimate lies in the box, so that the mass is never nothing.
-    return hn::Sqrt(hn::Div(moment, mass));
+    const V below = hn::Sub(estimate_, hn::Set(d, problem_.low[coordinate_]));
+    const V above = hn::Sub(hn::Set(d, problem_.high[coordinate_]), estimate_);
+    Moments moments = {hn::Zero(d), hn::Zero(d)};
+    AddSide(d, reach, hn::Min(hn::Mul(deviation, reach), below), T(-1), moments);
+    AddSide(d, reach, hn::Min(hn::Mul(deviation, reach), above), T(1), moments);
+    // An estimate lies in its range, which is more than a point, so that the mass is never nothing.
+    return hn::Sqrt(hn::Div(moments.second, moments.mass));
   }
 
  private:
-  // The steps x(t) = σ (3 t + (r − 3) t³), −1 ≤ t ≤ 1, end at r deviations.
-  static constexpr int kHalf = 16;
+  // The steps x(t) = s (3 t + (r − 3) t³), 0 ≤ t ≤ 1, end at r s, which is r deviations or the end
+  // of the range, whichever is nearer: no step falls out of the range as the estimate moves.
+  static constexpr int kSteps = 16;
   static constexpr T kLinear = T(3);
   static constexpr T kLeast = T(5);
   static constexpr T kMost = T(32);
+
+  struct Moments {
+    V mass, second;
+  };
+
+  HWY_INLINE void AddSide(D d, V reach, V length, T direction, Moments& moments) const {
+    const V scale = hn::Div(length, reach);
+    const V cubic = hn::Sub(reach, hn::Set(d, kLinear));
+    for (int j = 0; j <= kSteps; ++j) {
+      const T t = static_cast<T>(j) / T(kSteps);
+      const T half = j == 0 || j == kSteps ? T(0.5) : T(1);
+      const V away = hn::Mul(hn::Mul(scale, hn::Set(d, direction)),
+                             hn::MulAdd(cubic, hn::Set(d, t * t * t), hn::Set(d, kLinear * t)));
+      const V width =
+          hn::Mul(scale, hn::MulAdd(cubic, hn::Set(d, T(3) * t * t), hn::Set(d, kLinear)));
+      const V density = Density(d, hn::Add(estimate_, away), away);
+      const V share = hn::Mul(hn::Mul(width, hn::Set(d, half)), density);
+      moments.mass = hn::Add(moments.mass, share);
+      moments.second = hn::MulAdd(hn::Mul(share, away), away, moments.second);
+    }
+  }
 
   HWY_INLINE V Concentration(D d, V x) const {
     return problem_.isLog[coordinate_] ? ExpOfNegative(d, hn::Min(x, hn::Zero(d))) : x;

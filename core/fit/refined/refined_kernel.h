@@ -16,6 +16,7 @@
 
 #include "core/base/pixel_rows.h"
 #include "core/skin/layers/node_constants.h"
+#include "core/skin/profile/discrepancy_size.h"
 #include "core/skin/profile/parameter.h"
 
 namespace cutis {
@@ -65,6 +66,10 @@ struct RefinedProblem {
   T channelOffset[kMaximumFitChannels];
   T channelSlope[kMaximumFitChannels][kParameterCount];
   T channelCovariance[kMaximumFitChannels * (kMaximumFitChannels + 1) / 2];  // lower triangle
+  std::size_t coefficientCount;
+  T coefficientOffset[kMaximumCoefficients];
+  T coefficientSlope[kMaximumCoefficients][kParameterCount];
+  T coefficientGain[kMaximumCoefficients][kMaximumFitChannels];
   T tolerance;  // in units of one standard deviation²
   int maximumRounds;
   const StartPolynomial* start;  // null: begin at the coordinates that come in
@@ -77,6 +82,9 @@ struct RefinedPixels {
   std::uint8_t* converged;   // out
   std::uint16_t* rounds;     // added to
   T* costs = nullptr;        // out, [pixel]: what was minimised, where somebody asks
+  // Out, where somebody asks and there is a discrepancy: its most probable coefficients at the
+  // coordinates, but no further from 0 than kMostCoefficientNorm.
+  PixelRows<float> coefficients = {};
 };
 
 // T is float or double.

@@ -52,6 +52,14 @@ void RefinedProblemData<T>::setDiscrepancy(const ChannelDiscrepancy& discrepancy
     for (Eigen::Index j = 0; j <= k; ++j)
       problem_.channelCovariance[next++] = static_cast<T>(discrepancy.covariance(k, j));
   }
+  problem_.coefficientCount = static_cast<std::size_t>(discrepancy.count());
+  for (int c = 0; c < discrepancy.count(); ++c) {
+    problem_.coefficientOffset[c] = static_cast<T>(discrepancy.coefficientOffset[c]);
+    for (int i = 0; i < kParameterCount; ++i)
+      problem_.coefficientSlope[c][i] = static_cast<T>(discrepancy.coefficientSlope(c, i));
+    for (Eigen::Index k = 0; k < discrepancy.gain.cols(); ++k)
+      problem_.coefficientGain[c][k] = static_cast<T>(discrepancy.gain(c, k));
+  }
 }
 
 template <typename T>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/fit/assumed_noise.h"
+#include "core/fit/deviation_limit.h"
 #include "core/fit/discrepancy_choice.h"
-#include "core/fit/refined/coefficient_kernel.h"
 #include "core/fit/refined/exact_pass.h"
 #include "core/fit/refined/fast_pass.h"
 #include "core/fit/refined/posterior_kernel.h"
@@ -31,19 +31,6 @@ ChannelDiscrepancy discrepancyOf(const SkinModel& model, const Prior& prior, con
                             coordinatePrior(prior, model.profile().axes, options.fixed));
 }
 
-CoefficientProblem coefficientProblem(const ChannelDiscrepancy& discrepancy) {
-  CoefficientProblem line;
-  line.count = static_cast<std::size_t>(discrepancy.count());
-  for (int c = 0; c < discrepancy.count(); ++c) {
-    line.offset[c] = static_cast<float>(discrepancy.coefficientOffset[c]);
-    for (int i = 0; i < kParameterCount; ++i)
-      line.slope[c][i] = static_cast<float>(discrepancy.coefficientSlope(c, i));
-    for (Eigen::Index k = 0; k < discrepancy.gain.cols(); ++k)
-      line.gain[c][k] = static_cast<float>(discrepancy.gain(c, k));
-  }
-  return line;
-}
-
 class RefinedSolver final : public PixelSolver {
  public:
   RefinedSolver(std::shared_ptr<const SkinModel> model, const Rig& rig, const FitOptions& options)
@@ -56,7 +43,6 @@ class RefinedSolver final : public PixelSolver {
         prior_(assumedPrior(model_->profile(), rig, options)),
         noise_(assumedNoise(rig, options)),
         discrepancy_(discrepancyOf(*model_, prior_, rig, options)),
-        coefficients_(coefficientProblem(discrepancy_)),
         fast_(*model_, channelModel().nodes(), prior_, noise_, options, discrepancy_) {
     if (asksForExact(rig, options) && seeingChannelCount(rig) >= unknownCount(options)) {
       exact_ = std::make_unique<const ExactPass>(*model_, channelModel().nodes(), prior_, noise_,
@@ -68,15 +54,17 @@ class RefinedSolver final : public PixelSolver {
              const SolveReport& report) const override {
     std::vector<std::uint8_t> converged(channels.count);
     std::fill_n(report.iterations, channels.count, std::uint16_t{0});
-    fast_.solve({channels, values, converged.data(), report.iterations});
-    if (exact_) exact_->finish(channels, values, report.iterations, converged.data());
+    PixelRows<float> coefficients = {};
+    if (!discrepancy_.empty()) {
+      coefficients = {values.row(kParameterCount), static_cast<std::size_t>(discrepancy_.count()),
+                      values.count, values.stride};
+    }
+    fast_.solve({channels, values, converged.data(), report.iterations, nullptr, coefficients});
+    if (exact_) {
+      exact_->finish(channels, values, coefficients, report.iterations, converged.data());
+    }
     for (std::size_t i = 0; i < channels.count; ++i) {
       report.states[i] = converged[i] != 0 ? PixelState::solved : PixelState::noConvergence;
-    }
-    if (coefficients_.count > 0) {
-      const PixelRows<float> found = {values.row(kParameterCount), coefficients_.count,
-                                      values.count, values.stride};
-      runCoefficientKernel(fast_.problem(), coefficients_, channels, values, found);
     }
     toParameters(values);
   }
@@ -95,9 +83,13 @@ class RefinedSolver final : public PixelSolver {
     }
     runPosteriorKernel(fast_.problem(), channels, coordinates.rows(), deviations);
     for (std::size_t k = 0; k < kParameterCount; ++k) {
-      if (!fast_.problem().isLog[k]) continue;
-      for (std::size_t i = 0; i < values.count; ++i)
-        deviations.at(k, i) *= values.at(k, i);
+      const double maximum = model_->profile().axes[k].maximum;
+      for (std::size_t i = 0; i < values.count; ++i) {
+        float& deviation = deviations.at(k, i);
+        if (fast_.problem().isLog[k]) deviation *= values.at(k, i);
+        deviation = static_cast<float>(
+            limitedDeviation(double{deviation}, double{values.at(k, i)}, maximum));
+      }
     }
   }
 
@@ -118,7 +110,6 @@ class RefinedSolver final : public PixelSolver {
   Prior prior_;
   NoiseModel noise_;
   ChannelDiscrepancy discrepancy_;  // empty: none
-  CoefficientProblem coefficients_;
   FastPass fast_;
   std::unique_ptr<const ExactPass> exact_;
 };

@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/fit/refined/coefficients-inl.h"
 #include "core/fit/refined/lane_state-inl.h"
 #include "core/fit/refined/linearise-inl.h"
 #include "core/fit/refined/refined_kernel.h"
@@ -60,27 +61,16 @@ class Refiner {
   // Lanes put aside earlier.
   HWY_INLINE void Resume(const Straggler<T>* stragglers, std::size_t live) {
     const D d;
-    HWY_ALIGN T column[kLanes];
-    const auto load = [&](auto field) HWY_ATTR {
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        column[lane] = field(stragglers[lane < live ? lane : 0]);
-      }
-      return hn::Load(d, column);
-    };
+    HWY_ALIGN T fields[Straggler<T>::kFields][kLanes];
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       const Straggler<T>& straggler = stragglers[lane < live ? lane : 0];
       pixel_[lane] = straggler.pixel;
       rounds_[lane] = straggler.rounds;
+      for (int k = 0; k < Straggler<T>::kFields; ++k)
+        fields[k][lane] = straggler.fields[k];
     }
     LoadChannels();
-    for (int i = 0; i < kParameterCount; ++i) {
-      lanes_.base[i] = load([i](const Straggler<T>& s) { return s.base[i]; });
-      lanes_.step[i] = load([i](const Straggler<T>& s) { return s.step[i]; });
-    }
-    lanes_.share = load([](const Straggler<T>& s) { return s.share; });
-    lanes_.cost = load([](const Straggler<T>& s) { return s.cost; });
-    lanes_.decrease = load([](const Straggler<T>& s) { return s.decrease; });
-    lanes_.doubtful = load([](const Straggler<T>& s) { return s.doubtful; });
+    LoadFields(d, fields, lanes_);
     live_ = live;
   }
 
@@ -88,15 +78,16 @@ class Refiner {
   // appended to `aside`. Returns how many.
   HWY_INLINE std::size_t Run(std::size_t patience, Straggler<T>* aside) {
     const D d;
-    M active = hn::FirstN(d, live_);
-    while (true) {
+    const M all = hn::FirstN(d, live_);
+    M active = all;
+    do {
       active = FullRound(active);
-      if (hn::AllFalse(d, active)) return 0;
+      if (hn::AllFalse(d, active)) break;
       active = ChordRound(active);
-      const std::size_t left = hn::CountTrue(d, active);
-      if (left == 0) return 0;
-      if (left <= patience) return PutAside(active, aside);
-    }
+    } while (hn::CountTrue(d, active) > patience);
+    const M finished = hn::AndNot(active, all);
+    if (WantsCoefficients() && !hn::AllFalse(d, finished)) WriteCoefficients(finished);
+    return hn::AllFalse(d, active) ? 0 : PutAside(active, aside);
   }
 
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
@@ -106,6 +97,10 @@ class Refiner {
   static constexpr T kBlinding = T(1e4);
 
   static constexpr T Infinity() { return static_cast<T>(3.0e38); }
+
+  HWY_INLINE bool WantsCoefficients() const {
+    return problem_.hasDiscrepancy && pixels_.coefficients.data != nullptr;
+  }
 
   HWY_INLINE V Gather(const T* row) const {
     HWY_ALIGN T values[kLanes];
@@ -129,22 +124,16 @@ class Refiner {
         values[lane] = value < kBlinding ? value : kBlinding;
       }
       lanes_.measured[k] = hn::Load(d, values);
-      lanes_.channels[k] = lanes_.measured[k];
-      lanes_.precision[k] = ChannelPrecision(d, problem_, lanes_.measured[k]);
     }
     if (problem_.hasDiscrepancy) {
       WhitenMeasured(d, problem_, lanes_.measured, lanes_.precision, lanes_.channels,
                      lanes_.whitening);
+      return;
     }
-  }
-
-  // Modelled channels as the residuals want them.
-  template <std::size_t kColumns>
-  HWY_INLINE void ExpectDiscrepancy(const V* coordinates, V (*modelled)[kColumns]) const {
-    if (!problem_.hasDiscrepancy) return;
-    const D d;
-    AddExpectedDiscrepancy(d, problem_, lanes_.measured, coordinates, modelled);
-    lanes_.whitening.Apply(d, problem_, modelled);
+    for (std::size_t k = 0; k < problem_.channelCount; ++k) {
+      lanes_.channels[k] = lanes_.measured[k];
+      lanes_.precision[k] = ChannelPrecision(d, problem_, lanes_.measured[k]);
+    }
   }
 
   // Coordinates that stay: fixed ones, and those at a bound whose way down leads out of the box.
@@ -193,7 +182,7 @@ class Refiner {
     V trial[kParameterCount];
     PointAlong(lanes_.base, lanes_.step, lanes_.share, trial);
     ModelWithDerivatives(d, problem_, PointOf(d, problem_, trial), lanes_.modelled);
-    ExpectDiscrepancy(trial, lanes_.modelled);
+    ExpectDiscrepancy(d, problem_, lanes_, trial, lanes_.modelled);
     NormalEquations<V> normal;
     BuildNormalEquations(d, problem_, lanes_.channels, lanes_.precision, trial, lanes_.modelled,
                          normal);
@@ -258,7 +247,7 @@ class Refiner {
     PointAlong(lanes_.base, lanes_.step, lanes_.share, trial);
     V modelled[kMaximumFitChannels][1];
     ModelOnly(d, problem_, PointOf(d, problem_, trial), modelled);
-    ExpectDiscrepancy(trial, modelled);
+    ExpectDiscrepancy(d, problem_, lanes_, trial, modelled);
     V cost = hn::Zero(d);
     V shading = hn::Set(d, T(1));
     if (problem_.shadingPrecision > T(0)) {
@@ -282,6 +271,8 @@ class Refiner {
     }
     AddPrior(d, problem_, trial, downhill, cost);
     DoubtHeld(trial, downhill);
+    for (std::size_t k = 0; k < problem_.channelCount; ++k)
+      lanes_.modelled[k][0] = modelled[k][0];
     for (int i = 0; i < kParameterCount; ++i)
       downhill[i] = hn::Mul(downhill[i], lanes_.free[i]);
     V step[kParameterCount];
@@ -340,7 +331,7 @@ class Refiner {
     if constexpr (kChord) small = hn::And(small, hn::Eq(lanes_.unsure, zero));
     const M converged = hn::Or(small, hn::And(stuck, WithinRounding()));
     const M finished = hn::Or(hn::Or(converged, stuck), hn::And(active, Tired()));
-    Write(finished, converged);
+    Write(finished, converged, accepted, trial);
     return hn::AndNot(finished, active);
   }
 
@@ -375,7 +366,7 @@ class Refiner {
   // In single precision finished lanes take their last step unseen: it is shorter than what the
   // tolerance lets matter. In double precision, where hardly any noise is assumed, a step that
   // promises little may be a long way along a valley, and its end anywhere.
-  HWY_INLINE void Write(M finished, M converged) {
+  HWY_INLINE void Write(M finished, M converged, M accepted, const V* trial) {
     const D d;
     if (hn::AllFalse(d, finished)) return;
     HWY_ALIGN T values[kParameterCount][kLanes];
@@ -401,35 +392,42 @@ class Refiner {
       if (pixels_.costs != nullptr) pixels_.costs[pixel] = costs[lane];
       pixels_.rounds[pixel] = static_cast<std::uint16_t>(pixels_.rounds[pixel] + rounds_[lane]);
     }
+    if (!WantsCoefficients()) return;
+    NoteEnds(d, problem_, lanes_, trial, last, finished, hn::AndNot(accepted, finished), ends_);
+  }
+
+  // Of the lanes that finished in a run.
+  HWY_INLINE void WriteCoefficients(M finished) {
+    const D d;
+    V found[kMaximumCoefficients];
+    CoefficientsAt(d, problem_, lanes_, ends_, found);
+    HWY_ALIGN T flags[kLanes];
+    HWY_ALIGN T values[kMaximumCoefficients][kLanes];
+    hn::Store(hn::IfThenElseZero(finished, hn::Set(d, T(1))), d, flags);
+    for (std::size_t c = 0; c < problem_.coefficientCount; ++c)
+      hn::Store(found[c], d, values[c]);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (flags[lane] == T(0)) continue;
+      float* column = pixels_.coefficients.data + pixel_[lane];
+      for (std::size_t c = 0; c < problem_.coefficientCount; ++c)
+        column[c * pixels_.coefficients.stride] = static_cast<float>(values[c][lane]);
+    }
   }
 
   HWY_INLINE std::size_t PutAside(M active, Straggler<T>* aside) {
     const D d;
     HWY_ALIGN T flags[kLanes];
-    HWY_ALIGN T values[2 * kParameterCount + 4][kLanes];
+    HWY_ALIGN T fields[Straggler<T>::kFields][kLanes];
     hn::Store(hn::IfThenElseZero(active, hn::Set(d, T(1))), d, flags);
-    for (int i = 0; i < kParameterCount; ++i) {
-      hn::Store(lanes_.base[i], d, values[i]);
-      hn::Store(lanes_.step[i], d, values[kParameterCount + i]);
-    }
-    hn::Store(lanes_.share, d, values[2 * kParameterCount]);
-    hn::Store(lanes_.cost, d, values[2 * kParameterCount + 1]);
-    hn::Store(lanes_.decrease, d, values[2 * kParameterCount + 2]);
-    hn::Store(lanes_.doubtful, d, values[2 * kParameterCount + 3]);
+    StoreFields(d, lanes_, fields);
     std::size_t count = 0;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       if (flags[lane] == T(0)) continue;
       Straggler<T>& straggler = aside[count++];
       straggler.pixel = pixel_[lane];
       straggler.rounds = rounds_[lane];
-      for (int i = 0; i < kParameterCount; ++i) {
-        straggler.base[i] = values[i][lane];
-        straggler.step[i] = values[kParameterCount + i][lane];
-      }
-      straggler.share = values[2 * kParameterCount][lane];
-      straggler.cost = values[2 * kParameterCount + 1][lane];
-      straggler.decrease = values[2 * kParameterCount + 2][lane];
-      straggler.doubtful = values[2 * kParameterCount + 3][lane];
+      for (int k = 0; k < Straggler<T>::kFields; ++k)
+        straggler.fields[k] = fields[k][lane];
     }
     return count;
   }
@@ -437,6 +435,7 @@ class Refiner {
   const RefinedProblem<T>& problem_;
   const RefinedPixels<T>& pixels_;
   Lanes<V> lanes_;
+  Ends<V> ends_;
   std::uint32_t pixel_[kLanes];
   std::uint32_t rounds_[kLanes];
   std::size_t live_ = 0;

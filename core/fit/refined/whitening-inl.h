@@ -10,6 +10,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/fit/refined/linearise-inl.h"
 #include "core/fit/refined/refined_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +19,7 @@ namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // L of Σ = L Lᵀ, the covariance of a pixel's channels at given parameters:
-//   Σ = diag(1 / precision) + (y yᵀ) ∘ C.
+//   Σ = diag(variance of the noise) + (y yᵀ) ∘ C.
 // A dense factor costs no more than an update of low rank would, and does not cancel.
 template <class V>
 struct Whitening {
@@ -29,11 +30,10 @@ struct Whitening {
   }
 
   template <class D, class T = hn::TFromD<D>>
-  HWY_INLINE void Factorise(D d, const RefinedProblem<T>& problem, const V* measured,
-                            const V* precision) {
+  HWY_INLINE void Factorise(D d, const RefinedProblem<T>& problem, const V* measured) {
     const V one = hn::Set(d, T(1));
     for (std::size_t k = 0; k < problem.channelCount; ++k) {
-      const V noise = hn::Div(one, precision[k]);
+      const V noise = ChannelVariance(d, problem, measured[k]);
       for (std::size_t j = 0; j <= k; ++j) {
         const V shared = hn::Mul(measured[j], hn::Set(d, problem.channelCovariance[At(k, j)]));
         V sum = j == k ? hn::MulAdd(measured[k], shared, noise) : hn::Mul(measured[k], shared);
@@ -71,11 +71,11 @@ struct Whitening {
   }
 };
 
-// The whitened channels of pixels; precision becomes 1.
+// The whitened channels of pixels, whose precision is 1.
 template <class D, class V = hn::Vec<D>, class T = hn::TFromD<D>>
 HWY_INLINE void WhitenMeasured(D d, const RefinedProblem<T>& problem, const V* measured,
                                V* precision, V* channels, Whitening<V>& whitening) {
-  whitening.Factorise(d, problem, measured, precision);
+  whitening.Factorise(d, problem, measured);
   V column[kMaximumFitChannels][1];
   for (std::size_t k = 0; k < problem.channelCount; ++k)
     column[k][0] = measured[k];

@@ -2,6 +2,8 @@
 
 #include "core/analyse/diffusion_domain.h"
 #include "core/base/number_text.h"
+#include "core/fit/assumed_noise.h"
+#include "core/fit/discrepancy_choice.h"
 
 namespace cutis {
 namespace {
@@ -11,7 +13,35 @@ constexpr double kExactResidual = 2e-4;
 // A share of all pixels.
 constexpr double kMostNotSettled = 0.01;
 
+FitRemark leftOut(FitRemark::Kind kind, const std::string& reason) {
+  return {kind, "what the model leaves over of measured skin is not estimated, since " + reason};
+}
+
 }  // namespace
+
+std::optional<FitRemark> remarkOnDiscrepancy(const Profile& profile,
+                                             const Measurements& measurements,
+                                             const FitOptions& asked) {
+  using enum FitRemark::Kind;
+  if (asked.method != FitMethod::refined || profile.discrepancies.empty()) return {};
+  if (measurements.isSimulated) return {};
+  const bool removed = asked.surface == SurfaceLight::removed;
+  if (chosenDiscrepancy(profile, measurements.rig, asked) != nullptr) {
+    if (!removed) return {};
+    return FitRemark{discrepancyOfSurface,
+                     "what the model leaves over is taken from people whose surface reflection was "
+                     "removed, as it is here"};
+  }
+  if (asked.discrepancy) return {};
+  if (asked.free.count() > 0)
+    return leftOut(discrepancyUnknown, "the constants found for each pixel explain it");
+  if (asksForExact(measurements.rig, asked))
+    return leftOut(discrepancyOff, "photographs without noise count as the model's own skin");
+  return leftOut(discrepancyUnknown,
+                 "the profile does not know it where the surface's reflection "
+                 "is " +
+                     surfaceLightName(asked.surface));
+}
 
 std::vector<FitRemark> remarksOn(const FitStatistics& statistics,
                                  const std::vector<ConstantSummary>& constants, FitMethod method,

@@ -8,7 +8,9 @@
 #include "core/analyse/exposure.h"
 #include "core/fit/coarse_fit.h"
 #include "core/fit/discrepancy_choice.h"
+#include "core/fit/fit_record.h"
 #include "src/app/fit_method.h"
+#include "src/files/profiles/fit_record_file.h"
 
 namespace cutis {
 namespace {
@@ -72,6 +74,13 @@ Status analyse(const FitOptions& options, const PixelSolver& solver,
   return {};
 }
 
+// Only the method refined has a posterior.
+std::string recordText(const FittedSource& fitted) {
+  if (fitted.options.method != FitMethod::refined) return {};
+  return fitRecordText(
+      fitRecord(fitted.model->profile(), fitted.source->measurements.rig, fitted.options));
+}
+
 }  // namespace
 
 Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
@@ -83,9 +92,8 @@ Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
   FittedSource fitted;
   fitted.model = model;
   fitted.source = source;
-  fitted.method = options.fit.method;
-  CUTIS_TRY(solver, engine.solver(model, source->measurements.rig,
-                                  suitedTo(source->measurements, options.fit),
+  fitted.options = suitedTo(source->measurements, options.fit);
+  CUTIS_TRY(solver, engine.solver(model, source->measurements.rig, fitted.options,
                                   context.child(0.0, kPrepared, "preparing")));
   fitted.nodes = solver->nodeCount();
   fitted.nodeRms = solver->nodes().rmsError;
@@ -103,6 +111,8 @@ Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
   CUTIS_TRY(statistics, fill(fitted, *solver, context, observer));
   fitted.statistics = statistics;
   CUTIS_CHECK(analyse(options.fit, *solver, exposure, context, fitted));
+  if (auto remark = remarkOnDiscrepancy(model->profile(), source->measurements, options.fit))
+    fitted.remarks.push_back(*std::move(remark));
   fitted.seconds.fit = lap.seconds();
   return fitted;
 }
@@ -124,11 +134,12 @@ MapsFile mapsFileOf(const FittedSource& fitted, const std::string& profileJson) 
   file.attributes = {fitted.model->profile().name,
                      profileJson,
                      measurements.rig.name,
-                     fitMethodName(fitted.method),
+                     fitMethodName(fitted.options.method),
                      fitted.source->surface.specularShare,
                      measurements.exposure,
                      fitted.source->references,
-                     fitted.source->colors.followed.space.name};
+                     fitted.source->colors.followed.space.name,
+                     recordText(fitted)};
   file.metadata = fitted.source->metadata;
   return file;
 }

@@ -51,7 +51,7 @@ struct FittedSource {
   std::shared_ptr<const SkinModel> model;
   std::shared_ptr<const Source> source;  // at the exposure of the fit
   FitPlanes planes;
-  FitMethod method = FitMethod::refined;
+  FitOptions options;  // as they suit the source
   FitStatistics statistics;
   GamutStatistics gamut;
   std::vector<ConstantSummary> constants;  // one for each that is free

@@ -19,6 +19,7 @@ struct EditCommand {
 
 // What was said of the original values does not hold for edited ones.
 void dropEstimates(MapsFile& file, const JobContext& context) {
+  file.attributes.fit.clear();
   if (file.deviations.empty() && file.residuals.empty()) return;
   context.say("deviations and residuals describe the original and are left out of the edited maps");
   file.deviations.clear();

@@ -71,7 +71,7 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
   const FitStatistics& statistics = fitted.statistics;
   const FitSeconds& seconds = fitted.seconds;
   Json root;
-  root["method"] = fitMethodName(fitted.method);
+  root["method"] = fitMethodName(fitted.options.method);
   root["profile"] = fitted.model->profile().name;
   root["width"] = fitted.source->measurements.width();
   root["height"] = fitted.source->measurements.height();

@@ -21,7 +21,9 @@ std::string optionFor(FitRemark::Kind kind) {
     case FitRemark::Kind::mostlyAssumed:
       return ", or leave it out of --free";
     case FitRemark::Kind::outsideDiffusion:
-      return ", such as --profile skin2026";
+      return std::string(", such as --profile ") + kDefaultProfile;
+    case FitRemark::Kind::discrepancyOff:
+      return "; --discrepancy on estimates it all the same";
     case FitRemark::Kind::inexact:
       return ", such as --noise 0.0001,0.005";
     default:

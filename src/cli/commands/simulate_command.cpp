@@ -160,7 +160,8 @@ void addSimulateCommand(CLI::App& app, Invocation& invocation) {
   addOption(command, "--seed", options->seed, "N",
             "Another number gives other noise and another patch (default: 1, or the recipe's)");
   addOption(command, "--profile", options->profile, "NAME|FILE",
-            "Skin model: a built-in name or a JSON file (default: skin2026; maps carry their own)");
+            std::string("Skin model: a built-in name or a JSON file (default: ") + kDefaultProfile +
+                "; maps carry their own)");
   addOption(command, "-o,--output", options->output, "FOLDER", "Folder of the capture to write")
       ->required();
   command.add_flag("--overwrite", options->overwrite,

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/echoed_text.h"
+#include "src/app/fit_method.h"
 #include "src/app/spectrum_rows.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/maps_input.h"
@@ -16,6 +17,7 @@
 #include "src/files/io/atomic_write.h"
 #include "src/files/io/csv.h"
 #include "src/files/parameter_sets.h"
+#include "src/files/profiles/fit_record_file.h"
 #include "src/files/profiles/profile_file.h"
 
 namespace cutis {
@@ -26,6 +28,7 @@ struct SpectrumCommand {
   std::string csv;
   std::string maps;
   std::vector<std::string> places;
+  bool deviations = false;
   std::string output;
   std::string profile;
   MeasurementOptions measurement;
@@ -75,6 +78,21 @@ Result<std::vector<PixelPlace>> placesOf(const SpectrumCommand& command) {
   return places;
 }
 
+// What the maps say of the fit that made them.
+Result<FitRecord> recordOf(const OpenedMaps& opened, const std::string& path) {
+  const MapsAttributes& attributes = opened.file.attributes;
+  if (!attributes.fit.empty())
+    return parseFitRecord(attributes.fit, opened.model->profile(), path + ": attribute cutis:fit");
+  if (!attributes.method.empty() && attributes.method != fitMethodName(FitMethod::refined)) {
+    return usageError("--deviation", "the maps were made by the method " + attributes.method +
+                                         ", which knows no deviations; leave this out");
+  }
+  return inputError(
+      path,
+      "the maps do not say how they were fitted, because they were edited or an older "
+      "version wrote them; leave out --deviation, or fit the image again");
+}
+
 Status writeSpectraOfMaps(const SpectrumCommand& command, Session& session) {
   if (!command.measurement.specular.empty() || !command.measurement.share.empty()) {
     return usageError("--specular", "this does not go with --maps; leave it out");
@@ -82,8 +100,13 @@ Status writeSpectraOfMaps(const SpectrumCommand& command, Session& session) {
   CUTIS_TRY(places, placesOf(command));
   CUTIS_TRY(opened,
             openMaps(command.maps, command.profile, session, session.context.child(0.0, 0.1)));
+  MapSpectraOptions options = {places, {}};
+  if (command.deviations) {
+    CUTIS_TRY(record, recordOf(opened, command.maps));
+    options.deviationsOf = record;
+  }
   return writeOutput(command.output, [&](const TextSink& write) {
-    return writeMapSpectra(opened.model, opened.file.maps, places, command.maps, write,
+    return writeMapSpectra(opened.model, opened.file.maps, options, command.maps, write,
                            session.context.child(0.1, 1.0));
   });
 }
@@ -94,6 +117,9 @@ Status runSpectrumCommand(const SpectrumCommand& command, Session& session) {
   if (given != 1) return usageError("spectrum", "give one of --params, --csv and --maps");
   if (command.maps.empty() && !command.places.empty()) {
     return usageError("--at", "this goes with --maps; leave it out");
+  }
+  if (command.maps.empty() && command.deviations) {
+    return usageError("--deviation", "this goes with --maps; leave it out");
   }
   CUTIS_TRY(setting, parseMeasurement(command.measurement));
   if (!command.output.empty()) {
@@ -128,6 +154,9 @@ void addSpectrumCommand(CLI::App& app, Invocation& invocation) {
   addOption(command, "--at", options->places, "X,Y",
             "Of these pixels of the maps alone, counted from 0,0; may be repeated")
       ->allow_extra_args(false);
+  command.add_flag("--deviation", options->deviations,
+                   "With --maps: behind the spectra their posterior standard deviations, columns "
+                   "sd300 to sd1000");
   addOption(command, "-o,--output", options->output, "FILE",
             "File to write (default: standard output)");
   addProfileOption(command, options->profile, kDefaultProfile);

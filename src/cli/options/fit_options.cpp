@@ -193,14 +193,15 @@ Status completeFitOptions(const FitRequest& request, const Profile& profile, Fit
                           " does not know what its model leaves over where the surface's "
                           "reflection is " +
                           surfaceLightName(options.surface) +
-                          "; leave this out, or choose one that does, such as --profile skin2026b");
+                          "; leave this out, or choose one that does, such as --profile " +
+                          kDefaultProfile);
   }
   if (!request.priorFile.empty()) {
     CUTIS_TRY(prior, readPrior(request.priorFile, profile.prior));
     options.prior = prior;
   }
   if (!request.weightsFile.empty()) {
-    CUTIS_TRY(networks, loadNetworks(request.weightsFile, profile.name, "--weights"));
+    CUTIS_TRY(networks, loadNetworks(request.weightsFile, profile, "--weights"));
     options.network = std::make_shared<const ChromophoreNetwork>(std::move(networks.chromophores));
   }
   return {};

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/base/echoed_text.h"
+#include "core/skin/profile/profile_signature.h"
 #include "src/files/io/json_file.h"
 #include "src/files/io/suggestion.h"
 #include "src/files/io/text_file.h"
@@ -242,13 +243,16 @@ Result<NetworkFile> builtInNetworks(const std::string& name) {
   return parseNetworks(*text, "built-in networks " + name);
 }
 
-Result<NetworkFile> loadNetworks(const std::string& nameOrPath, const std::string& profile,
+Result<NetworkFile> loadNetworks(const std::string& nameOrPath, const Profile& profile,
                                  const std::string& place) {
-  const std::string suffix = "_" + profile;
+  const Signature wanted = signatureOf(profile);
   std::vector<std::string> known;
-  for (std::string name : builtInNetworkNames()) {
-    if (name == nameOrPath || name == nameOrPath + suffix) return builtInNetworks(name);
-    if (name.ends_with(suffix)) known.push_back(name.substr(0, name.size() - suffix.size()));
+  for (const std::string& name : builtInNetworkNames()) {
+    if (name == nameOrPath) return builtInNetworks(name);
+    CUTIS_TRY(networks, builtInNetworks(name));
+    if (!alike(networks.spectra.profile, wanted)) continue;
+    known.push_back(name.substr(0, name.size() - networks.profile.size() - 1));
+    if (known.back() == nameOrPath) return networks;
   }
   std::error_code ignored;
   if (nameOrPath.find('/') != std::string::npos || nameOrPath.ends_with(".json") ||
@@ -258,7 +262,7 @@ Result<NetworkFile> loadNetworks(const std::string& nameOrPath, const std::strin
   const std::string way =
       known.empty() ? "none are built in for it" : suggestName(nameOrPath, known);
   return inputError(place, "unknown networks " + inQuotes(nameOrPath) + " of profile " +
-                               inQuotes(profile) + "; " + way +
+                               inQuotes(profile.name) + "; " + way +
                                ", or name a file that train has written");
 }
 

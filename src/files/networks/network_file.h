@@ -30,6 +30,7 @@
 #include "core/base/result.h"
 #include "core/neural/chromophore_network.h"
 #include "core/neural/spectra_network.h"
+#include "core/skin/profile/profile.h"
 
 namespace cutis {
 
@@ -58,9 +59,10 @@ Result<NetworkFile> readNetworks(const std::string& path);
 std::vector<std::string> builtInNetworkNames();
 Result<NetworkFile> builtInNetworks(const std::string& name);
 
-// Built-in ones, "monitor-5" for those of the profile of that name, or a file. `place` stands in
-// front of errors about the name.
-Result<NetworkFile> loadNetworks(const std::string& nameOrPath, const std::string& profile,
+// Built-in ones, or a file. "monitor-5" stands for those that were trained for the profile or for
+// another with the same physics, as skin2026 has of skin2026b. `place` stands in front of errors
+// about the name.
+Result<NetworkFile> loadNetworks(const std::string& nameOrPath, const Profile& profile,
                                  const std::string& place);
 
 }  // namespace cutis

@@ -6,11 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "core/skin/profile/parameter_names.h"
 
 namespace cutis {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Names = std::array<bool, kParameterCount>;
 
 constexpr Names kNone = {};
@@ -149,6 +152,30 @@ Result<Prior> readPrior(const std::string& path, const Prior& base) {
   CUTIS_TRY(prior, parseOver(root, &base));
   CUTIS_CHECK(validate(prior, path));
   return prior;
+}
+
+nlohmann::ordered_json priorJson(const Prior& prior) {
+  const bool log = prior.scale == PriorScale::log;
+  Json json = {{"scale", log ? "log" : "linear"}};
+  Json linear = Json::array(), mean = Json::object(), sd = Json::object();
+  Json correlation = Json::object();
+  for (const Parameter parameter : kParameters) {
+    const std::string name(parameterName(parameter));
+    const bool mayBeLog = !alwaysLinear()[static_cast<std::size_t>(parameter)];
+    if (log && mayBeLog && !prior.isLog(parameter)) linear.push_back(name);
+    mean[name] = prior.mean[parameter];
+    sd[name] = prior.deviation[parameter];
+    for (const Parameter other : kParameters) {
+      if (other <= parameter || prior.correlation(parameter, other) == 0.0) continue;
+      correlation[name + "," + std::string(parameterName(other))] =
+          prior.correlation(parameter, other);
+    }
+  }
+  if (!linear.empty()) json["linear"] = linear;
+  json["mean"] = mean;
+  json["sd"] = sd;
+  if (!correlation.empty()) json["correlation"] = correlation;
+  return json;
 }
 
 }  // namespace cutis

@@ -11,6 +11,8 @@
 
 #include <string>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "core/base/result.h"
 #include "core/skin/profile/prior.h"
 #include "src/files/io/json_file.h"
@@ -27,5 +29,9 @@ Result<Prior> parsePrior(const JsonValue& object);
 // other. Of another "scale", all must be named. Without "correlation", parameters whose scale stays
 // keep theirs.
 Result<Prior> readPrior(const std::string& path, const Prior& base);
+
+// The object that parsePrior() reads the same prior from; pairs that are not correlated are left
+// out.
+nlohmann::ordered_json priorJson(const Prior& prior);
 
 }  // namespace cutis

@@ -8,6 +8,7 @@
 #include "core/base/echoed_text.h"
 #include "core/skin/profile/prior.h"
 #include "src/files/profiles/discrepancy_file.h"
+#include "src/files/profiles/prior_file.h"
 
 namespace cutis {
 namespace {
@@ -26,32 +27,10 @@ Json::json_pointer pointerTo(const std::string& field) {
 }
 
 Json jsonOf(const Prior& prior) {
-  const bool log = prior.scale == PriorScale::log;
-  Json json = {{"scale", log ? "log" : "linear"}};
-  Json linear = Json::array(), mean = Json::object(), sd = Json::object();
-  Json correlation = Json::object();
-  for (const Parameter parameter : kParameters) {
-    const std::string name(parameterName(parameter));
-    const auto k = static_cast<Eigen::Index>(parameter);
-    const bool mayBeLog = !alwaysLinear()[static_cast<std::size_t>(parameter)];
-    if (log && mayBeLog && !prior.isLog(static_cast<int>(k))) {
-      linear.push_back(name);
-    }
-    mean[name] = prior.mean[k];
-    sd[name] = prior.deviation[k];
-    for (const Parameter other : kParameters) {
-      const auto j = static_cast<Eigen::Index>(other);
-      if (j <= k) continue;
-      const double rounded =
-          std::round(prior.correlation(k, j) * kCorrelationDigits) / kCorrelationDigits;
-      if (rounded != 0.0) correlation[name + "," + std::string(parameterName(other))] = rounded;
-    }
-  }
-  if (!linear.empty()) json["linear"] = linear;
-  json["mean"] = mean;
-  json["sd"] = sd;
-  if (!correlation.empty()) json["correlation"] = correlation;
-  return json;
+  Prior rounded = prior;
+  for (double& correlation : rounded.correlation.reshaped())
+    correlation = std::round(correlation * kCorrelationDigits) / kCorrelationDigits;
+  return priorJson(rounded);
 }
 
 // What is known of relative reflectance: five digits after the point.

@@ -41,7 +41,7 @@
 namespace cutis {
 
 // What is used unless a profile is named: the one that describes and predicts measured skin best.
-inline constexpr char kDefaultProfile[] = "skin2026";
+inline constexpr char kDefaultProfile[] = "skin2026b";
 // The model of the paper, whose figures benchmarks are compared with.
 inline constexpr char kPaperProfile[] = "li2024";
 

@@ -17,8 +17,9 @@
 // Attributes of the part chromophores: cutis:version, cutis:profile (name), cutis:profile_json (all
 // of the profile, so that the maps can be read anywhere), cutis:rig (name), cutis:method,
 // cutis:exposure, cutis:specular_share (where it is not 0), cutis:surface (with the part
-// discrepancy: "included" or "removed", which of the profile's), cutis:sources (JSON list of file
-// and hash), cutis:source_colorspace.
+// discrepancy: "included" or "removed", which of the profile's), cutis:fit (JSON: what a refined
+// fit took for granted, src/files/profiles/fit_record_file.h), cutis:sources (JSON list of file and
+// hash), cutis:source_colorspace.
 //
 // Channels are found by name. A pixel whose values are not finite, or whose constants lie where no
 // profile can have them, is read as invalid, with a notice; a deviation, residual or shading that
@@ -48,6 +49,7 @@ struct MapsAttributes {
   double exposure = 1.0;       // the sources were multiplied by this
   std::vector<SourceReference> sources;
   std::string sourceColorSpace;  // its name, empty for photographs
+  std::string fit;  // fitRecordText() of src/files; empty where nothing is known of the estimates
 };
 
 struct MapsFile {

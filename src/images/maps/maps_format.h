@@ -27,6 +27,7 @@ inline constexpr char kMethod[] = "cutis:method";
 inline constexpr char kExposure[] = "cutis:exposure";
 inline constexpr char kSpecularShare[] = "cutis:specular_share";
 inline constexpr char kSurface[] = "cutis:surface";
+inline constexpr char kFit[] = "cutis:fit";
 inline constexpr char kSources[] = "cutis:sources";
 inline constexpr char kSourceColorSpace[] = "cutis:source_colorspace";
 

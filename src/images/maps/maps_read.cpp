@@ -120,6 +120,7 @@ Result<MapsAttributes> attributesOf(const OIIO::ImageSpec& spec, const std::stri
   attributes.rigName = textAttribute(spec, kRig);
   attributes.method = textAttribute(spec, kMethod);
   attributes.sourceColorSpace = textAttribute(spec, kSourceColorSpace);
+  attributes.fit = textAttribute(spec, kFit);
   const double exposure = numberAttribute(spec, kExposure, 1.0);
   attributes.exposure = std::isfinite(exposure) && exposure > 0.0 ? exposure : 1.0;
   const double share = numberAttribute(spec, kSpecularShare, 0.0);

@@ -306,6 +306,25 @@ class DiscrepancyFitTest : public QObject {
     }
   }
 
+  // An unknown factor on all channels takes away from what they say, above all of brightness.
+  void shadingLeavesMoreOpen() {
+    const People people = draw(test::monitorRig(), 0.005, 9);
+    FitOptions shaded = optionsOf(true);
+    shaded.shading = 0.1;
+    const SpectrumPosterior plain(*model(), test::monitorRig(), optionsOf(true));
+    const SpectrumPosterior open(*model(), test::monitorRig(), shaded);
+    for (std::size_t p = 0; p < 5; ++p) {
+      const auto& values = people.values[p];
+      const Spectrum a = plain.deviation(plain.channels(values), values);
+      const Spectrum b = open.deviation(open.channels(values), values);
+      QVERIFY((b >= a).all());
+      const int green = (550 - kFirstWavelengthNm) / kWavelengthStepNm;
+      const double reflectance = open.reflectance(values)[green];
+      QVERIFY2(b[green] > 2.0 * a[green] && b[green] < 0.1 * reflectance + a[green],
+               qPrintable(QString("%1 %2 %3").arg(a[green]).arg(b[green]).arg(reflectance)));
+    }
+  }
+
   // What is no skin is not explained away.
   void coefficientsHaveALimit() {
     const auto solver = makeRefinedSolver(model(), test::monitorRig(), optionsOf(true));

@@ -161,6 +161,51 @@ class PosteriorTest : public QObject {
     }
   }
 
+  // Along a line of skins from one corner of the ranges to the other.
+  void staysWithinTheRangeAndIsSmooth() {
+    constexpr std::size_t kTones = 500;
+    const auto& axes = test::li2024().profile().axes;
+    std::vector<ParameterVector> people;
+    for (std::size_t i = 0; i < kTones; ++i) {
+      ParameterVector person;
+      for (int k = 0; k < kParameterCount; ++k) {
+        // From a skin that there is to one that there is not; a logarithm bends where its line
+        // begins at 0.
+        const double share = 0.05 + 0.949 * static_cast<double>(i) / (kTones - 1.0);
+        person[k] = axes[static_cast<std::size_t>(k)].maximum * share * share;
+      }
+      people.push_back(person);
+    }
+    const test::PixelSet pixels = test::simulate(test::monitorRig(), people, 0.0);
+    for (const bool log : {true, false}) {
+      FitOptions options;
+      options.prior = priorOfKind(log);
+      const auto solver = makeRefinedSolver(test::sharedModel(), test::monitorRig(), options);
+      PixelBuffer<float> values(kParameterCount, kTones), deviations(kParameterCount, kTones);
+      for (std::size_t i = 0; i < kTones; ++i) {
+        for (int k = 0; k < kParameterCount; ++k)
+          values[static_cast<std::size_t>(k)][i] = static_cast<float>(people[i][k]);
+      }
+      solver->deviations(pixels.rows(), values.rows(), deviations.rows());
+      for (std::size_t k = 0; k < kParameterCount; ++k) {
+        const double maximum = axes[k].maximum;
+        double roughest = 0.0;
+        for (std::size_t i = 0; i < kTones; ++i) {
+          const double away = double{values[k][i]} - 0.5 * maximum;
+          const double flat = std::sqrt(maximum * maximum / 12.0 + away * away);
+          QVERIFY(double{deviations[k][i]} <= flat * 1.00001);
+          if (i < 2) continue;
+          const double bend = std::log(double{deviations[k][i]}) -
+                              2.0 * std::log(double{deviations[k][i - 1]}) +
+                              std::log(double{deviations[k][i - 2]});
+          roughest = std::max(roughest, std::abs(bend));
+        }
+        qInfo("%s prior, parameter %zu: steps bend by %.2g", log ? "log" : "linear", k, roughest);
+        EXPECT_AT_MOST(roughest, 0.02);
+      }
+    }
+  }
+
   // Two deviations hold the truth as often as they should, when people are what the prior says.
   void coversTheTruth() {
     constexpr int kPeople = 20000;

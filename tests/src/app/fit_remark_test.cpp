@@ -4,6 +4,8 @@
 
 #include <QtTest>
 
+#include "src/files/profiles/profile_file.h"
+#include "src/files/rig_file.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -51,6 +53,37 @@ class FitRemarkTest : public QObject {
     QVERIFY(remarksOn(settled(), {}, FitMethod::refined, NoiseModel{1e-4, 5e-3}, {},
                       ExposureChoice{1.0, 0.4})
                 .empty());
+  }
+
+  void whatBecomesOfTheDiscrepancyIsSaid() {
+    const Profile profile = loadProfile("skin2026b", "test").value();
+    Measurements measurements;
+    measurements.rig = loadRig("monitor", "", "test").value();
+    const auto kindOf = [&](const FitOptions& options) {
+      const auto remark = remarkOnDiscrepancy(profile, measurements, options);
+      return remark ? std::optional(remark->kind) : std::nullopt;
+    };
+    FitOptions options;
+    QVERIFY(!kindOf(options));
+    options.surface = SurfaceLight::removed;
+    QVERIFY(kindOf(options) == Kind::discrepancyOfSurface);
+    options = {};
+    options.free.oxygenation = true;
+    QVERIFY(kindOf(options) == Kind::discrepancyUnknown);
+    options = {};
+    options.noise = NoiseModel{0.0, 0.0};
+    QVERIFY(kindOf(options) == Kind::discrepancyOff);
+    options = {};
+    options.noise = NoiseModel{0.0, 0.0};
+    options.discrepancy = false;
+    QVERIFY(!kindOf(options));
+    options.discrepancy.reset();
+    measurements.isSimulated = true;
+    QVERIFY(!kindOf(options));
+    measurements.isSimulated = false;
+    options = {};
+    options.method = FitMethod::network;
+    QVERIFY(!kindOf(options));
   }
 
   void nothingFittedIsOneOfThem() {

@@ -8,6 +8,7 @@
 
 #include "core/rig/rig.h"
 #include "core/skin/profile/profile_signature.h"
+#include "src/files/profiles/profile_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/scratch_folder.h"
@@ -95,15 +96,28 @@ class NetworkFileTest : public QObject {
   }
 
   void builtInNetworksHaveNames() {
-    const auto five = loadNetworks("monitor-5", "li2024", "--weights");
+    const Profile paper = loadProfile("li2024", "").value();
+    const auto five = loadNetworks("monitor-5", paper, "--weights");
     EXPECT_OK(five);
     QCOMPARE(five.value().profile, std::string("li2024"));
     QVERIFY(five.value().chromophores.inputs ==
             (std::vector<std::string>{"r", "g", "b", "sb", "sg"}));
-    EXPECT_OK(loadNetworks("monitor-5_skin2026", "li2024", "--weights"));
-    EXPECT_ERROR(loadNetworks("monitor5", "li2024", "--weights"), "did you mean 'monitor-5'");
-    EXPECT_ERROR(loadNetworks("monitor-5", "mine", "--weights"), "none are built in for it");
-    EXPECT_ERROR(loadNetworks("none.json", "li2024", "--weights"), "none.json");
+    EXPECT_OK(loadNetworks("monitor-5_skin2026", paper, "--weights"));
+    EXPECT_ERROR(loadNetworks("monitor5", paper, "--weights"), "did you mean 'monitor-5'");
+    Profile mine = paper;
+    mine.epidermalThicknessMm *= 1.5;
+    EXPECT_ERROR(loadNetworks("monitor-5", mine, "--weights"), "none are built in for it");
+    EXPECT_ERROR(loadNetworks("none.json", paper, "--weights"), "none.json");
+  }
+
+  // A discrepancy and a prior leave the physics as it is.
+  void networksServeProfilesOfOnePhysics() {
+    const Profile profile = loadProfile("skin2026b", "").value();
+    QVERIFY(profile.name == "skin2026b");
+    const auto five = loadNetworks("monitor-5", profile, "--weights");
+    EXPECT_OK(five);
+    QCOMPARE(five.value().profile, std::string("skin2026"));
+    EXPECT_ERROR(loadNetworks("monitor-6", profile, "--weights"), "did you mean 'monitor-5'");
   }
 
   void whatIsNoWeightsFileIsRefused_data() {

@@ -7,6 +7,7 @@
 
 #include "core/base/instruction_set.h"
 #include "core/base/parallel.h"
+#include "src/bench/discrepancy_study.h"
 #include "src/bench/error_study.h"
 #include "src/bench/network_study.h"
 #include "src/bench/picture_study.h"
@@ -94,6 +95,9 @@ std::vector<Part> partsOf(const BenchSubject& subject, const Extent& extent, Met
       {0.52, "errors on the sample",
        [&](const JobContext& context) { return runSample(subject, solvers, context, figures); },
        sampleTable},
+      {0.53, "what the model leaves over",
+       [&, silent](const JobContext&) { return runDiscrepancy(subject, silent, figures); },
+       discrepancyTable},
       {0.54, "coverage",
        [&, silent](const JobContext&) { return runCoverage(subject, solvers, silent, figures); },
        coverageTables},

@@ -155,6 +155,22 @@ Json startsOf(const std::vector<StartFigures>& starts) {
   return array;
 }
 
+Json discrepancyRows(const std::vector<DiscrepancyFigures>& figures) {
+  const auto bands = [](const ErrorBound& errors) {
+    return Json{{"visible", errors.visible},
+                {"ultraviolet", errors.ultraviolet},
+                {"near_infrared", errors.nearInfrared}};
+  };
+  Json array = Json::array();
+  for (const DiscrepancyFigures& row : figures) {
+    array.push_back({{"noise", row.noise},
+                     {"mse", bands(row.errors)},
+                     {"bound", bands(row.bound)},
+                     {"over_bound", row.overBound}});
+  }
+  return array;
+}
+
 Json publishedFigures() {
   Json array = Json::array();
   for (const PublishedFigures& row : kPublished) {
@@ -195,6 +211,7 @@ Status writeBenchReport(const std::filesystem::path& path, const BenchFigures& f
   root["coverage"] = coverageOf(figures.coverage);
   root["lights"] = variantsOf(figures.lights);
   root["parameters"] = variantsOf(figures.parameters);
+  if (!figures.discrepancy.empty()) root["discrepancy"] = discrepancyRows(figures.discrepancy);
   root["starts"] = startsOf(figures.starts);
   root["encodings"] = variantsOf(figures.encodings);
   root["sizes"] = picturesOf(figures.sizes);

@@ -303,6 +303,21 @@ std::string parameterTable(const BenchFigures& figures) {
          variantTable(figures.parameters, "parameters");
 }
 
+std::string discrepancyTable(const BenchFigures& figures) {
+  if (figures.discrepancy.empty()) return {};
+  TextTable table({"noise", "vis MSE", "bound", "/bound", "UV MSE", "bound", "NIR MSE", "bound"});
+  for (const DiscrepancyFigures& row : figures.discrepancy) {
+    table.add({percent(row.noise), shortScientific(row.errors.visible),
+               shortScientific(row.bound.visible), fixedNumber(row.overBound, 2),
+               shortScientific(row.errors.ultraviolet), shortScientific(row.bound.ultraviolet),
+               shortScientific(row.errors.nearInfrared), shortScientific(row.bound.nearInfrared)});
+  }
+  return heading(
+             "People with what the model leaves over, refined fit that estimates it, and the "
+             "bound that includes it") +
+         table.text();
+}
+
 std::string startTable(const BenchFigures& figures) {
   TextTable table({"start", "vis MSE", "steps", "ns/pixel"});
   for (const StartFigures& row : figures.starts) {

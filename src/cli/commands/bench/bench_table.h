@@ -18,6 +18,8 @@ std::string networkTable(const BenchFigures& figures);
 // Errors of the methods; of their parameters; by skin tone.
 std::string methodTables(const BenchFigures& figures);
 std::string sampleTable(const BenchFigures& figures);
+// Empty for a profile without a discrepancy.
+std::string discrepancyTable(const BenchFigures& figures);
 std::string coverageTables(const BenchFigures& figures);
 // Empty for a rig whose lights cannot be compared.
 std::string lightTable(const BenchFigures& figures);
