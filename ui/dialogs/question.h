@@ -1,4 +1,4 @@
-#pragma once  // internal to ui
+#pragma once
 
 // A question before the window that does not stop the program: whoever asks goes on when it is
 // answered. Interface thread only.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/app/project
 
 // The files of a source, and whether they are still what was read.
 

@@ -112,8 +112,9 @@ class ApplyTest : public QObject {
   void presetIsEditedBeforeTheOptions() {
     run_.write("tan.json", R"({"cutis_edits": 1, "edits": [{"name": "Tan",
         "melanin": {"mode": "scale", "value": 3}, "carotene": {"mode": "set", "value": 0.001}}]})");
-    EXPECT_DONE(run_.run("apply skin.exr --maps maps.exr -o a.exr --mask mask.png --melanin 3 "
-                         "--set carotene=0.001"));
+    EXPECT_DONE(
+        run_.run("apply skin.exr --maps maps.exr -o a.exr --mask mask.png --melanin 3 "
+                 "--set carotene=0.001"));
     EXPECT_DONE(
         run_.run("apply skin.exr --maps maps.exr -o b.exr --mask mask.png --preset tan.json"));
     QCOMPARE(run_.read("b.exr"), run_.read("a.exr"));

@@ -1,5 +1,7 @@
 #pragma once  // internal to src/cli/commands/info
 
+// A line of what info prints.
+
 #include <string>
 
 #include "core/base/echoed_text.h"

@@ -1,5 +1,7 @@
 #pragma once  // internal to src/cli/commands/info
 
+// What info says of a project.
+
 #include <string>
 
 #include "core/base/result.h"
