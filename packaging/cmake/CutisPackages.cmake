@@ -14,10 +14,10 @@ install(TARGETS cutis-cli DESTINATION bin COMPONENT cli)
 # Where moduleSymbol() of src/files/io/platform.h looks for it. One folder higher, CPack would take it
 # for a library for all and run ldconfig.
 install(TARGETS cutis_rasteriser DESTINATION lib/cutis/modules COMPONENT cli)
-install(FILES NOTICE packaging/debian/copyright DESTINATION share/doc/cutis-cli COMPONENT cli)
+install(FILES LICENSE NOTICE packaging/debian/copyright DESTINATION share/doc/cutis-cli COMPONENT cli)
 
 install(TARGETS cutis DESTINATION bin COMPONENT editor)
-install(FILES NOTICE packaging/debian/copyright DESTINATION share/doc/cutis COMPONENT editor)
+install(FILES LICENSE NOTICE packaging/debian/copyright DESTINATION share/doc/cutis COMPONENT editor)
 install(FILES packaging/desktop/cutis.desktop DESTINATION share/applications COMPONENT editor)
 install(FILES packaging/desktop/cutis.metainfo.xml DESTINATION share/metainfo COMPONENT editor)
 install(FILES packaging/desktop/cutis-mime.xml DESTINATION share/mime/packages
