@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/plane.h"
@@ -16,6 +17,9 @@
 #include "core/skin/profile/parameter_axis.h"
 
 namespace cutis {
+
+// Of a factor that a person or a file gives.
+inline constexpr double kMostScale = 1000.0;
 
 // value → set, if given, else scaled + add.
 //
@@ -36,6 +40,7 @@ struct Edit {
   Plane mask;
   double opacity = 1.0;  // [0, 1]
   bool enabled = true;
+  std::string name;  // what people call it; may be empty
 
   bool isNeutral() const;
 };

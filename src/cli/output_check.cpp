@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "src/files/io/atomic_write.h"
+#include "src/files/io/named_files.h"
 
 namespace cutis {
 

@@ -62,6 +62,7 @@ constexpr Room kRooms[] = {
     {"src/files", "core/* resources src/files/io src/files/spectra"},
     {"src/files/profiles", "core/* resources src/files src/files/io src/files/spectra"},
     {"src/files/networks", "core/* resources src/files src/files/io src/files/spectra"},
+    {"src/files/edits", "core/* resources src/files src/files/io"},
 
     {"src/images/pixels", "core/base"},
     {"src/color", "core/* src/files/*"},
@@ -80,8 +81,10 @@ constexpr Room kRooms[] = {
 
     {"src/app", "core/* src/files/* src/images/* src/color src/register"},
     {"src/app/open", "core/* src/files/* src/images/* src/color src/register src/app"},
+    {"src/app/project", "core/* src/files/* src/images/* src/color src/app src/app/open"},
     {"src/app/document",
-     "core/* src/files/* src/images/* src/color src/register src/app src/app/open"},
+     "core/* src/files/* src/images/* src/color src/register src/app src/app/open "
+     "src/app/project"},
     {"src/app/export",
      "core/* src/files/* src/images/* src/color src/app src/app/open src/app/document"},
     {"src/app/training", "core/* src/files/* src/app src/app/open src/app/document"},
@@ -115,9 +118,10 @@ constexpr Room kRooms[] = {
     {"ui/docks", "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view"},
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},
+    {"ui/edits", "core/* src/files/* src/app/* ui/theme ui/widgets ui/view ui/docks ui/dialogs"},
     {"ui/window",
      "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/commands ui/plot ui/widgets "
-     "ui/view ui/docks ui/dialogs"},
+     "ui/view ui/docks ui/dialogs ui/edits"},
     {"src/cutis", "core/* src/files/* src/images/* src/color src/app/* ui/*"},
 };
 

@@ -3,11 +3,12 @@
 #include <memory>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QDoubleSpinBox>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTimer>
@@ -15,6 +16,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "ui/commands/command_palette.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
@@ -22,6 +24,8 @@
 #include "ui/docks/workspace.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
+#include "ui/widgets/factor_field.h"
+#include "ui/widgets/neutral_slider.h"
 #include "ui/window/main_window.h"
 
 namespace cutis {
@@ -91,7 +95,8 @@ class CommandsTest : public test::UiTest {
   // And nothing else can be done.
   void whileNothingIsOpenCommandsSayWhy() {
     const QStringList always = {"file.openSample",  "file.openCapture", "file.openImage",
-                                "file.openImageAs", "file.quit",        "help.about"};
+                                "file.openImageAs", "file.openPhotographs", "file.quit",        "help.palette",
+                                "help.shortcuts",   "help.about"};
     for (const CommandDescription& command : window_->commands().all()) {
       const QAction* action = window_->commands().action(command.id);
       QVERIFY2(action->isEnabled() == always.contains(command.id), qPrintable(command.id));
@@ -137,11 +142,24 @@ class CommandsTest : public test::UiTest {
     QVERIFY(viewport.fitted());
     // In a field they are typed.
     QTest::keyClick(&viewport, Qt::Key_1);
-    auto* number = window_->findChild<QDoubleSpinBox*>();
+    auto* number = window_->findChild<FactorField*>();
     QVERIFY(number != nullptr);
     number->setFocus();
+    number->clear();
     QTest::keyClick(number, Qt::Key_Plus);
+    QTest::keyClick(number, Qt::Key_F);
     QCOMPARE(viewport.zoom(), 1.0);
+    QCOMPARE(number->text(), QString("+f"));
+    QTest::keyClick(number, Qt::Key_Escape);
+    // Elsewhere they are not: on a slider and in a list of choices.
+    for (QWidget* control : {static_cast<QWidget*>(window_->findChild<NeutralSlider*>()),
+                             static_cast<QWidget*>(window_->findChild<QComboBox*>())}) {
+      control->setFocus();
+      QTest::keyClick(control, Qt::Key_F);
+      QVERIFY(viewport.fitted());
+      QTest::keyClick(control, Qt::Key_1);
+      QCOMPARE(viewport.zoom(), 1.0);
+    }
   }
 
   void textsFollowWhatCanBeUndone() {
@@ -187,7 +205,58 @@ class CommandsTest : public test::UiTest {
     restart();
     openSample();
     for (const DockDescription& dock : window_->workspace().all())
-      QVERIFY2(!window_->workspace().dock(dock.id)->isHidden(), qPrintable(dock.id));
+      QVERIFY2(window_->workspace().dock(dock.id)->isHidden() == !dock.shownAtFirst,
+               qPrintable(dock.id));
+  }
+
+  // Found, run, and gone again.
+  void thePaletteRunsACommand() {
+    openSample();
+    activate();
+    window_->commands().run("view.oneToOne");
+    QTest::keyClick(&window_->viewport(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
+    auto* palette = window_->findChild<CommandPalette*>();
+    QVERIFY(palette->isVisible());
+    QWidget* query = QApplication::focusWidget();
+    QTest::keyClicks(query, "pict whole");
+    QTest::keyClick(query, Qt::Key_Return);
+    QVERIFY(!palette->isVisible());
+    QVERIFY(window_->viewport().fitted());
+    QVERIFY(window_->viewport().hasFocus());
+  }
+
+  void thePresetsAreBelowTheSliders() {
+    openSample();
+    QPushButton* button = nullptr;
+    for (QPushButton* found : window_->findChildren<QPushButton*>()) {
+      if (found->text() == "Presets") button = found;
+    }
+    QVERIFY(button != nullptr && button->menu() != nullptr);
+    Q_EMIT button->menu()->aboutToShow();
+    QCOMPARE(button->menu()->actions().first()->text(), QString("Tan"));
+    button->menu()->actions().first()->trigger();
+    QVERIFY(!isNeutral(window_->document().scene().edits));
+    QCOMPARE(window_->document().history().position(), std::size_t{1});
+  }
+
+  // Tab reaches whatever can be used, in each dock from top to bottom.
+  void theKeyboardReachesEveryControl() {
+    openSample();
+    activate();
+    window_->viewport().setFocus();
+    QSet<QWidget*> reached;
+    for (QWidget* at = QApplication::focusWidget(); at != nullptr && !reached.contains(at);
+         at = QApplication::focusWidget()) {
+      reached << at;
+      QTest::keyClick(at, Qt::Key_Tab);
+    }
+    for (QWidget* control : window_->findChildren<QWidget*>()) {
+      const bool isControl = qobject_cast<FactorField*>(control) ||
+                             qobject_cast<NeutralSlider*>(control) ||
+                             qobject_cast<QComboBox*>(control) || qobject_cast<QCheckBox*>(control);
+      if (!isControl || !control->isEnabled() || control->visibleRegion().isEmpty()) continue;
+      QVERIFY2(reached.contains(control), qPrintable(control->accessibleName()));
+    }
   }
 
  private:

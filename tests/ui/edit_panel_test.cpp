@@ -65,6 +65,37 @@ class EditPanelTest : public test::UiTest {
     QVERIFY(!panel.haemoglobinsLinked());
   }
 
+  // From slider to field, from row to row, and then the foot.
+  void theKeyboardFollowsTheEye() {
+    EditPanel panel;
+    panel.setFactors({2, 1, 1, 1, 1});
+    panel.resize(280, 400);
+    panel.show();
+    panel.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    QPoint last(-1, -1);
+    QSet<QWidget*> reached;
+    sliderNamed(panel, "Melanin")->setFocus();
+    for (QWidget* at = QApplication::focusWidget(); !reached.contains(at);
+         at = QApplication::focusWidget()) {
+      reached << at;
+      const QPoint place = at->mapTo(&panel, at->rect().center());
+      QVERIFY2(place.y() > last.y() + 4 || place.x() > last.x(), qPrintable(at->accessibleName()));
+      last = place;
+      QTest::keyClick(at, Qt::Key_Tab);
+    }
+    // Five sliders with their fields, the link and at least the way back.
+    QVERIFY(reached.size() >= 12);
+  }
+
+  void whatRestsSaysWhy() {
+    EditPanel panel;
+    panel.setResting("There is no estimate.");
+    QVERIFY(!sliderNamed(panel, "Melanin")->isEnabled());
+    QCOMPARE(sliderNamed(panel, "Melanin")->parentWidget()->toolTip(),
+             QString("There is no estimate."));
+  }
+
   void resetIsOfferedWhereThereIsSomethingToReset() {
     EditPanel panel;
     QSignalSpy reset(&panel, &EditPanel::resetWanted);

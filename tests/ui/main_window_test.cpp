@@ -164,9 +164,9 @@ class MainWindowTest : public test::UiTest {
     }
     QVERIFY(lights != nullptr);
     lights->setFocus();
-    QTest::keyClicks(lights, "A");
+    QTest::keyClicks(lights, "Tungsten");
     waitUntilIdle();
-    QCOMPARE(lights->currentText(), "A");
+    QCOMPARE(lights->currentData().toString(), "A");
     QCOMPARE(window_->views().current(), ViewKind::skin);
   }
 

@@ -107,6 +107,28 @@ class ProgressStripTest : public test::UiTest {
     QCOMPARE(strip.message(), QString());
   }
 
+  // Errors stay until somebody has seen to them.
+  void noticesAgeAndErrorsStay() {
+    ProgressStrip strip;
+    strip.setNoticeLife(80);
+    strip.show();
+    strip.showMessage("Written: a.png", false);
+    QCOMPARE(strip.message(), QString("Written: a.png"));
+    QTRY_COMPARE(strip.message(), QString());
+    strip.showMessage("The file ends early.", true);
+    QTest::qWait(200);
+    QCOMPARE(strip.message(), QString("The file ends early."));
+    strip.showMessage("Later notice", false);
+    strip.clearMessages();
+    // What nobody was shown has not aged.
+    strip.setMessagesShown(false);
+    strip.showMessage("Elsewhere", false);
+    QTest::qWait(200);
+    QCOMPARE(strip.message(), QString("Elsewhere"));
+    strip.setMessagesShown(true);
+    QTRY_COMPARE(strip.message(), QString());
+  }
+
   void timesAreInWords() {
     QCOMPARE(timeLeftText(0.3), QString("less than 1 s left"));
     QCOMPARE(timeLeftText(2.2), QString("3 s left"));

@@ -9,8 +9,6 @@
 #include <QList>
 #include <QString>
 
-class QWidget;
-
 namespace cutis {
 
 // The menus of the menu bar, in its order.
@@ -22,10 +20,8 @@ struct CommandDescription {
   QString submenu = {};  // of the menu, by its title with its mnemonic; empty: the menu itself
   QString text;          // as in the menu, with its mnemonic: "&Undo"
   QString toolTip = {};  // what the text leaves open; may be empty
+  // They work in the whole window; single letters do not while text is being typed.
   QList<QKeySequence> shortcuts = {};
-  // The shortcuts work where this widget has the keyboard; null: in the whole window. For single
-  // letters, which elsewhere are typed into something.
-  QWidget* keyboardOf = nullptr;
   bool beginsSection = false;  // a line stands above it in the menu
 
   std::function<void()> run;

@@ -34,6 +34,13 @@ QMenu& submenuOf(QMenu& menu, const QString& title) {
   return *submenu;
 }
 
+// "Save && close" is called "Save & close".
+QString withoutMnemonics(QString text) {
+  text.replace("&&", QChar(0));
+  text.remove('&');
+  return text.replace(QChar(0), '&');
+}
+
 QString objectionTo(const CommandDescription& command) {
   return command.objection ? command.objection() : QString();
 }
@@ -57,15 +64,20 @@ void CommandRegistry::addAction(const CommandDescription& command) {
   action->setCheckable(command.isOn != nullptr);
   // Menus of other systems would guess a place from the text: "About …", "Quit".
   action->setMenuRole(QAction::NoRole);
-  if (command.keyboardOf != nullptr) {
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    command.keyboardOf->addAction(action);
-  } else {
-    window_.addAction(action);
-  }
+  window_.addAction(action);
   connect(action, &QAction::triggered, this, [this, id = command.id] { run(id); });
   entries_[command.id] = {commands_.size() - 1, action};
   refresh(command, *action);
+}
+
+QString CommandRegistry::placeOf(const CommandDescription& command) {
+  const QString menu = withoutMnemonics(titleOf(command.menu));
+  if (command.submenu.isEmpty()) return menu;
+  return QString("%1 › %2").arg(menu, withoutMnemonics(command.submenu));
+}
+
+QString CommandRegistry::nameOf(const CommandDescription& command) const {
+  return withoutMnemonics(action(command.id)->text());
 }
 
 QAction* CommandRegistry::action(const QString& id) const {

@@ -1,7 +1,7 @@
 #pragma once
 
-// All commands of the editor. Menus, shortcuts and scripts come from here, so that a command that
-// is added to the table is found everywhere. Interface thread only.
+// All commands of the editor. Menus, shortcuts, palette and scripts come from here, so that a
+// command that is added to the table is found everywhere. Interface thread only.
 
 #include <map>
 #include <vector>
@@ -26,6 +26,11 @@ class CommandRegistry : public QObject {
   // `run` is there.
   void add(const std::vector<CommandDescription>& commands);
   const std::vector<CommandDescription>& all() const { return commands_; }
+
+  // "Edit", "View › Docks": where a command stands, without mnemonics.
+  static QString placeOf(const CommandDescription& command);
+  // What a command is called now, without its mnemonic: "Undo Melanin × 1.4".
+  QString nameOf(const CommandDescription& command) const;
 
   // Null if there is no such command.
   QAction* action(const QString& id) const;

@@ -45,12 +45,6 @@ QLabel* wrapped(const QString& text, QWidget* parent) {
   return label;
 }
 
-void dim(QLabel& label) {
-  QPalette palette = label.palette();
-  palette.setColor(QPalette::WindowText, theme::tones().dimText);
-  label.setPalette(palette);
-}
-
 QString sentence(const std::string& text) {
   QString shown = QString::fromStdString(text);
   if (!shown.isEmpty()) shown[0] = shown[0].toUpper();
@@ -106,7 +100,7 @@ QWidget* OpenAsDialog::heading(const QString& reason) {
   name->setFont(theme::headingFont(*name));
   column->addWidget(name);
   QLabel* format = wrapped(QString::fromStdString(image_.format), block);
-  dim(*format);
+  theme::dimText(*format);
   column->addWidget(format);
   if (!reason.isEmpty()) {
     QLabel* why = wrapped(reason, block);
@@ -145,7 +139,7 @@ void OpenAsDialog::addColors(QFormLayout& form) {
   connect(colors_, &QComboBox::currentIndexChanged, this, &OpenAsDialog::showLayer);
   form.addRow(tr("&Colour space"), colors_);
   statements_->setAccessibleName(tr("What the file says"));
-  dim(*statements_);
+  theme::dimText(*statements_);
   form.addRow(QString(), statements_);
 }
 

@@ -13,6 +13,7 @@ class QWidget;
 
 namespace cutis {
 
+class CaptureController;
 class JobRunner;
 class OpenAsDialog;
 class ProgressStrip;
@@ -28,10 +29,12 @@ class OpenController : public QObject {
   void openSample();
   // A capture's folder, capture.json, an image or maps.
   void open(const QString& path);
-  // What was dropped or named at once, each as a document of its own.
+  // What was dropped or named at once, each as a document of its own; photographs of one scene, or
+  // of a folder without capture.json, as one capture, once the user has said how.
   void openAll(const QStringList& paths);
   // By a dialog.
   void chooseCapture();
+  void choosePhotographs();
   void chooseImage();
   // An image by a dialog, and then how it is to be read by another.
   void chooseImageAs();
@@ -39,7 +42,7 @@ class OpenController : public QObject {
   // opened otherwise, if a sentence says why: then nobody is asked where no choice would help.
   void openAs(const QString& path, const QString& reason = {});
 
-  // Puts what was opened in front of the recent files.
+  // Puts what was opened or saved in front of the recent files.
   void remember(const Document& document);
   // Absolute paths that are still there, newest first.
   QStringList recentFiles() const;
@@ -50,11 +53,17 @@ class OpenController : public QObject {
   void openAsWanted(const std::filesystem::path& path, const cutis::OpenChoice& choice);
 
  private:
+  // Empty if the user cancels.
+  QString chooseFile(const QString& title, const QString& filter);
   void ask(const QString& path, const ImageInspection& image, const QString& reason);
 
   JobRunner& jobs_;
   ProgressStrip& progress_;
   QWidget* window_;
+  CaptureController* captures_;
 };
+
+// The names of files that were opened are kept no longer.
+void forgetRecentFiles();
 
 }  // namespace cutis

@@ -1,5 +1,6 @@
 #include "ui/docks/edit_controller.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -8,6 +9,7 @@
 #include "ui/docks/edit_panel.h"
 #include "ui/view/view_controller.h"
 #include "ui/widgets/parameter_texts.h"
+#include "ui/widgets/slider_scale.h"
 
 namespace cutis {
 namespace {
@@ -23,6 +25,16 @@ QString mergeGroupOf(int parameter) {
 
 }  // namespace
 
+bool slidersShow(const EditStack& edits) {
+  const SliderScale scale;
+  if (edits.empty()) return true;
+  const Edit& edit = edits.front();
+  return edits.size() == 1 && edit.enabled && edit.opacity == 1.0 && edit.mask.empty() &&
+         std::all_of(edit.parameters.begin(), edit.parameters.end(), [&](const ParameterEdit& p) {
+           return p.add == 0.0 && !p.set && p.scale >= scale.minimum && p.scale <= scale.maximum;
+         });
+}
+
 EditController::EditController(Document& document, ViewController& views, QObject* parent)
     : QObject(parent), document_(document), views_(views) {
   connect(&document, &Document::opened, this, &EditController::showFactors);
@@ -33,13 +45,30 @@ void EditController::attach(EditPanel& panel) {
   connect(&panel, &EditPanel::factorChanged, this,
           [this](int parameter, double factor, bool stillMoving) {
             const QScopedValueRollback<bool> applying(applying_, true);
-            setFactor(parameter, factor, stillMoving);
+            change(parameter, factor, stillMoving);
           });
+  connect(&panel, &EditPanel::stepEnded, this, [this] { document_.endGroup(); });
   connect(&panel, &EditPanel::resetWanted, this, &EditController::reset);
   connect(this, &EditController::factorsChanged, &panel, &EditPanel::setFactors);
+  connect(this, &EditController::furtherEditsChanged, &panel, &EditPanel::setFurtherEdits);
+  const auto rest = [this, &panel] { panel.setResting(objection()); };
+  connect(&document_, &Document::opened, &panel, rest);
+  connect(&document_, &Document::fitted, &panel, rest);
+  connect(&document_, &Document::fitChoiceChanged, &panel, rest);
+}
+
+QString EditController::objection() const {
+  if (!document_.isOpen()) return tr("Nothing is open yet.");
+  if (document_.isFitted() || document_.isFitting()) return {};
+  return tr("There is no complete estimate to edit; fit the picture again.");
 }
 
 void EditController::setFactor(int parameter, double factor, bool stillMoving) {
+  change(parameter, factor, stillMoving);
+  if (!stillMoving) document_.endGroup();
+}
+
+void EditController::change(int parameter, double factor, bool stillMoving) {
   if (!document_.isOpen()) return;
   const QString name = isHaemoglobin(parameter) ? haemoglobinTitle()
                                                 : parameterTitle(static_cast<Parameter>(parameter));
@@ -50,7 +79,6 @@ void EditController::setFactor(int parameter, double factor, bool stillMoving) {
                          factor;
                    },
                    stillMoving});
-  if (!stillMoving) document_.endGroup();
   if (views_.current() == ViewKind::photograph) views_.show(ViewKind::editedAlbedo);
 }
 
@@ -69,6 +97,7 @@ void EditController::showFactors() {
       factors[k] = edits.front().parameters[k].scale;
   }
   Q_EMIT factorsChanged(factors);
+  Q_EMIT furtherEditsChanged(!slidersShow(edits));
 }
 
 }  // namespace cutis

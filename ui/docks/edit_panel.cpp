@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
 
@@ -21,10 +22,14 @@ constexpr double kNeutral = 1;
 EditPanel::EditPanel(QWidget* parent)
     : QWidget(parent),
       link_(new QCheckBox(tr("Link haemoglobins"), this)),
+      presets_(new QPushButton(tr("Presets"), this)),
       reset_(new QPushButton(tr("Reset"), this)) {
   setAccessibleName(tr("Edit"));
   reset_->setToolTip(tr("Back to the skin as it was photographed; this can be undone"));
   reset_->setEnabled(false);
+  presets_->setToolTip(tr("Whole sets of edits in one step; this can be undone"));
+  presets_->setProperty("menu", true);
+  presets_->hide();
   link_->setChecked(true);
   link_->setToolTip(tr("Move both haemoglobins together, as a flush does"));
 
@@ -48,11 +53,16 @@ EditPanel::EditPanel(QWidget* parent)
   addSlider(kHaemoglobinEpidermal,
             tr("Blood close to the surface. More reddens blemishes and irritated skin; less "
                "calms them."));
+  column->addWidget(link_);
   auto* foot = new QHBoxLayout;
-  foot->addWidget(link_);
+  foot->addWidget(presets_);
   foot->addStretch(1);
   foot->addWidget(reset_);
   column->addLayout(foot);
+  // The eye goes down the sliders to the foot.
+  setTabOrder(sliders_[kHaemoglobinEpidermal]->lastInTabOrder(), link_);
+  setTabOrder(link_, presets_);
+  setTabOrder(presets_, reset_);
 
   connect(link_, &QCheckBox::toggled, this, &EditPanel::linkToggled);
   connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
@@ -66,6 +76,7 @@ void EditPanel::addSlider(Parameter parameter, const QString& toolTip) {
           [this, parameter](double factor, bool stillMoving) {
             sliderMoved(parameter, factor, stillMoving);
           });
+  connect(slider, &ParameterSlider::stepEnded, this, &EditPanel::stepEnded);
 }
 
 void EditPanel::sliderMoved(Parameter parameter, double factor, bool stillMoving) {
@@ -87,6 +98,7 @@ void EditPanel::linkToggled(bool linked) {
   sliders_[kHaemoglobinEpidermal]->setValue(factor);
   updateReset();
   Q_EMIT factorChanged(kHaemoglobinEpidermal, factor, false);
+  Q_EMIT stepEnded();
 }
 
 void EditPanel::setFactors(const std::array<double, kParameterCount>& factors) {
@@ -111,9 +123,26 @@ bool EditPanel::haemoglobinsLinked() const {
   return link_->isChecked();
 }
 
+void EditPanel::setResting(const QString& why) {
+  for (ParameterSlider* slider : sliders_)
+    slider->setResting(why);
+}
+
+void EditPanel::setFurtherEdits(bool any) {
+  furtherEdits_ = any;
+  updateReset();
+}
+
+void EditPanel::setPresets(QMenu* menu) {
+  menu->setParent(this, menu->windowFlags());
+  presets_->setMenu(menu);
+  presets_->show();
+}
+
 void EditPanel::updateReset() {
-  reset_->setEnabled(std::any_of(sliders_.begin(), sliders_.end(),
-                                 [](const ParameterSlider* s) { return s->value() != kNeutral; }));
+  const bool any = std::any_of(sliders_.begin(), sliders_.end(),
+                               [](const ParameterSlider* s) { return s->value() != kNeutral; });
+  reset_->setEnabled(any || furtherEdits_);
 }
 
 }  // namespace cutis

@@ -9,6 +9,7 @@
 #include "core/skin/profile/parameter.h"
 
 class QCheckBox;
+class QMenu;
 class QPushButton;
 
 namespace cutis {
@@ -25,12 +26,20 @@ class EditPanel : public QWidget {
   void setFactors(const std::array<double, kParameterCount>& factors);
   std::array<double, kParameterCount> factors() const;
   bool haemoglobinsLinked() const;
+  // Why nothing can be edited now, which the sliders' tool tips say; empty if it can.
+  void setResting(const QString& why);
+  // There are edits that no slider shows, which Reset takes away as well.
+  void setFurtherEdits(bool any);
+  // What the button "Presets" opens; the panel becomes its owner.
+  void setPresets(QMenu* menu);
 
  Q_SIGNALS:
   // By the user; `parameter` is a Parameter. While a slider is dragged stillMoving is true, and the
   // drag ends with one call where it is false. Linked haemoglobins come as two calls, the partner's
-  // first and always as still moving, so that the drag of both ends once.
+  // first and always as still moving.
   void factorChanged(int parameter, double factor, bool stillMoving);
+  // What has changed since the last one is to be undone at once.
+  void stepEnded();
   void resetWanted();
 
  private:
@@ -41,7 +50,9 @@ class EditPanel : public QWidget {
 
   std::array<ParameterSlider*, kParameterCount> sliders_{};
   QCheckBox* link_;
+  QPushButton* presets_;
   QPushButton* reset_;
+  bool furtherEdits_ = false;
 };
 
 }  // namespace cutis

@@ -20,6 +20,7 @@ FitPanel::FitPanel(QWidget* parent)
       load_(new QPushButton(tr("Load…"), this)),
       method_(new QComboBox(this)),
       shading_(new QCheckBox(tr("Estimate shading"), this)),
+      options_(new QPushButton(tr("Options…"), this)),
       offer_(new QWidget(this)) {
   setAccessibleName(tr("Fit"));
   profile_->setAccessibleName(tr("Profile"));
@@ -38,6 +39,7 @@ FitPanel::FitPanel(QWidget* parent)
   connect(method_, &QComboBox::activated, this, notify);
   connect(shading_, &QCheckBox::clicked, this, notify);
   connect(load_, &QPushButton::clicked, this, &FitPanel::loadWanted);
+  connect(options_, &QPushButton::clicked, this, &FitPanel::optionsWanted);
   show({}, Subject::photographs);
 }
 
@@ -58,7 +60,12 @@ void FitPanel::addForm() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kSpace);
   column->addLayout(form);
-  column->addWidget(shading_);
+  auto* foot = new QHBoxLayout;
+  foot->setSpacing(theme::kSpace);
+  foot->addWidget(shading_);
+  foot->addStretch(1);
+  foot->addWidget(options_);
+  column->addLayout(foot);
   column->addWidget(offer_);
 }
 
@@ -83,15 +90,20 @@ void FitPanel::offerProfile(const QString& profile) {
 }
 
 FitChoice FitPanel::choice() const {
-  return {profile_->currentData().toString().toStdString(),
-          static_cast<FitMethod>(method_->currentData().toInt()), shading_->isChecked()};
+  FitChoice choice = shown_;
+  choice.profile = profile_->currentData().toString().toStdString();
+  choice.method = static_cast<FitMethod>(method_->currentData().toInt());
+  choice.shading = shading_->isChecked();
+  return choice;
 }
 
 void FitPanel::show(const FitChoice& choice, Subject subject) {
+  shown_ = choice;
   showProfile(QString::fromStdString(choice.profile), subject);
   showMethod(choice);
+  showOptions(choice);
   showShading(choice, subject);
-  const QList<QWidget*> controls = {profile_, load_, method_};
+  const QList<QWidget*> controls = {profile_, load_, method_, options_};
   const bool fits = subject != Subject::maps;
   for (QWidget* control : controls)
     control->setEnabled(fits);
@@ -123,10 +135,13 @@ void FitPanel::showMethod(const FitChoice& choice) {
   auto* items = qobject_cast<QStandardItemModel*>(method_->model());
   for (int row = 0; row < method_->count(); ++row) {
     const MethodDescription& method = methodCatalogue()[static_cast<std::size_t>(row)];
-    const bool can = !choice.shading || method.method == FitMethod::refined;
+    const bool isRefined = method.method == FitMethod::refined;
+    const bool can = isRefined || (!choice.shading && !choice.hasRefinements());
     items->item(row)->setEnabled(can);
-    items->item(row)->setToolTip(can ? method.toolTip
-                                     : tr("Cannot estimate shading; switch that off first"));
+    items->item(row)->setToolTip(
+        can              ? method.toolTip
+        : choice.shading ? tr("Cannot estimate shading; switch that off first")
+                         : tr("Knows none of the options that are set; reset them first"));
   }
   method_->setCurrentIndex(method_->findData(static_cast<int>(choice.method)));
   method_->setToolTip(method_->currentData(Qt::ToolTipRole).toString());
@@ -144,6 +159,11 @@ void FitPanel::showShading(const FitChoice& choice, Subject subject) {
         "One more factor per pixel, for photographs with slopes and shades. Leave it off in flat "
         "light: shade and melanin look much alike."));
   }
+}
+
+void FitPanel::showOptions(const FitChoice& choice) {
+  options_->setText(choice.hasRefinements() ? tr("Options (set)…") : tr("Options…"));
+  options_->setToolTip(tr("Noise, prior, parameters that are held, constants found per pixel"));
 }
 
 void FitPanel::offerTraining() {

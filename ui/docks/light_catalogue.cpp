@@ -1,6 +1,7 @@
 #include "ui/docks/light_catalogue.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QCoreApplication>
 
@@ -53,11 +54,33 @@ QVector<LightGroup> lightGroups() {
 }
 
 QString titleOf(const QString& name) {
-  if (name == "cie1931") return tr("CIE 1931, 2°");
-  if (name == "cie1964") return tr("CIE 1964, 10°");
-  // The CIE writes a hyphen; elsewhere the names of files stand for blanks, after who measured.
-  if (name.startsWith("LED_")) return QString(name).replace('_', '-');
-  return QString(name).remove("iset_").replace('_', ' ');
+  static const std::pair<const char*, QString> titles[] = {
+      {"cie1931", tr("CIE 1931 2°")},
+      {"cie1964", tr("CIE 1964 10°")},
+      {"A", tr("Tungsten lamp (A)")},
+      {"iset_Tungsten", tr("Tungsten lamp, measured")},
+      {"D50", tr("Horizon daylight (D50)")},
+      {"D55", tr("Mid-morning daylight (D55)")},
+      {"D65", tr("Noon daylight (D65)")},
+      {"E", tr("Equal energy (E)")},
+      {"FL2", tr("Cool white tube (FL2)")},
+      {"FL11", tr("Three-band tube (FL11)")},
+      {"LED_B3", tr("White LED, 4100 K (LED-B3)")},
+      {"LED_B5", tr("White LED, 6600 K (LED-B5)")},
+      {"LED_RGB1", tr("Red, green, blue LEDs (LED-RGB1)")},
+      {"iset_LCD_HP", tr("HP LCD")},
+      {"iset_LCD_Gechic", tr("Gechic LCD")},
+      {"Sony_ILCE-7M3", tr("Sony α7 III (ILCE-7M3)")},
+  };
+  for (const auto& [known, title] : titles) {
+    if (name == known) return title;
+  }
+  // Of files that name themselves well: blanks are underscores there.
+  return QString(name).replace('_', ' ');
+}
+
+bool isCamera(const QString& observer) {
+  return toList(cameraNames()).contains(observer);
 }
 
 QStringList observerChoices() {

@@ -14,7 +14,8 @@ namespace cutis {
 QVector<LightGroup> lightGroups();
 QStringList observerChoices();
 
-// What a reader calls a light, an observer or a camera: "CIE 1931, 2°" for "cie1931".
+// What a reader calls a light, an observer or a camera: "CIE 1931 2°" for "cie1931".
 QString titleOf(const QString& name);
+bool isCamera(const QString& observer);
 
 }  // namespace cutis

@@ -6,6 +6,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "core/spectra/colorimetry.h"
+
 namespace cutis {
 
 struct LightChoice {
@@ -19,6 +21,8 @@ struct LightChoice {
   QString light;
   QString observer;
   Kind kind = Kind::colour;
+  // How white under the light becomes white under daylight; of observers alone.
+  ChromaticAdaptation adaptation = ChromaticAdaptation::none;
 
   bool operator==(const LightChoice&) const = default;
 };

@@ -34,6 +34,7 @@ LightController::LightController(ViewServer& server, ViewController& views, QObj
     : QObject(parent), server_(server), views_(views) {
   light_.light = QString::fromStdString(server.picture().light);
   light_.observer = QString::fromStdString(server.picture().observer);
+  light_.adaptation = server.picture().adaptation;
   connect(&views, &ViewController::currentChanged, this, &LightController::followView);
 }
 
@@ -52,6 +53,7 @@ void LightController::setLight(const LightChoice& light) {
     PictureRequest picture;
     picture.light = light.light.toStdString();
     picture.observer = light.observer.toStdString();
+    picture.adaptation = light.adaptation;
     server_.setPicture(picture);
   }
   views_.show(viewOf(light.kind));

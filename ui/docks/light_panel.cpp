@@ -56,6 +56,7 @@ LightPanel::LightPanel(QWidget* parent)
       pages_(new QStackedWidget(this)),
       lights_(new QComboBox(this)),
       observers_(new QComboBox(this)),
+      adaptations_(new QComboBox(this)),
       band_(new QLabel(this)) {
   setAccessibleName(tr("Light"));
 
@@ -73,7 +74,7 @@ LightPanel::LightPanel(QWidget* parent)
     kinds_->addButton(button, static_cast<int>(kind));
     segments->addWidget(button);
   };
-  add(Kind::colour, tr("Colour"), tr("Colour under a light"));
+  add(Kind::colour, tr("Visible"), tr("Visible light: colour under a light"));
   add(Kind::ultraviolet, tr("UV"), tr("Ultraviolet, 300–400 nm"));
   add(Kind::nearInfrared, tr("NIR"), tr("Near infrared, 700–1000 nm"));
 
@@ -81,13 +82,19 @@ LightPanel::LightPanel(QWidget* parent)
   lights_->setMaxVisibleItems(20);
   observers_->setAccessibleName(tr("Observer"));
   observers_->setToolTip(tr("Whose eyes see the skin: a standard observer or a camera"));
-  for (QComboBox* box : {lights_, observers_}) {
+  adaptations_->setAccessibleName(tr("Chromatic adaptation"));
+  adaptations_->addItem(tr("None: as the light colours it"),
+                        static_cast<int>(ChromaticAdaptation::none));
+  adaptations_->addItem(tr("Bradford"), static_cast<int>(ChromaticAdaptation::bradford));
+  adaptations_->addItem(tr("CAT16"), static_cast<int>(ChromaticAdaptation::cat16));
+  for (QComboBox* box : {lights_, observers_, adaptations_}) {
     box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   }
   auto* colour = new QWidget(this);
   auto* form = new QFormLayout(colour);
   form->addRow(tr("Source"), lights_);
   form->addRow(tr("Observer"), observers_);
+  form->addRow(tr("Adapt"), adaptations_);
   theme::alignForm(*form);
   band_->setWordWrap(true);
   band_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -106,9 +113,21 @@ LightPanel::LightPanel(QWidget* parent)
     showKind(static_cast<Kind>(id));
     Q_EMIT changed(choice());
   });
-  for (QComboBox* box : {lights_, observers_}) {
-    connect(box, &QComboBox::currentIndexChanged, this, [this] { Q_EMIT changed(choice()); });
+  for (QComboBox* box : {lights_, observers_, adaptations_}) {
+    connect(box, &QComboBox::currentIndexChanged, this, [this] {
+      updateAdaptation();
+      Q_EMIT changed(choice());
+    });
   }
+  updateAdaptation();
+}
+
+void LightPanel::updateAdaptation() {
+  const bool isObserver = !isCamera(observers_->currentData().toString());
+  adaptations_->setEnabled(isObserver);
+  adaptations_->setToolTip(
+      isObserver ? tr("Eyes get used to the colour of a light: white becomes the white of daylight")
+                 : tr("A camera does not adapt; choose an observer"));
 }
 
 void LightPanel::setLights(const QVector<LightGroup>& groups) {
@@ -130,16 +149,23 @@ void LightPanel::setObservers(const QStringList& names) {
   for (const QString& name : names)
     observers_->addItem(titleOf(name), name);
   choose(*observers_, kept);
+  updateAdaptation();
 }
 
 LightChoice LightPanel::choice() const {
   return {lights_->currentData().toString(), observers_->currentData().toString(),
-          static_cast<Kind>(kinds_->checkedId())};
+          static_cast<Kind>(kinds_->checkedId()),
+          static_cast<ChromaticAdaptation>(adaptations_->currentData().toInt())};
 }
 
 void LightPanel::setChoice(const LightChoice& choice) {
   if (lights_->findData(choice.light) >= 0) choose(*lights_, choice.light);
   if (observers_->findData(choice.observer) >= 0) choose(*observers_, choice.observer);
+  {
+    const QSignalBlocker silent(adaptations_);
+    adaptations_->setCurrentIndex(adaptations_->findData(static_cast<int>(choice.adaptation)));
+  }
+  updateAdaptation();
   showKind(choice.kind);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Choice of light and observer, or of one of the bands outside the visible. Those are marked: they
-// are radiometric, and extrapolated from what visible light has shown.
+// Choice of light, observer and chromatic adaptation, or of one of the bands outside the visible.
+// Those are marked: they are radiometric, and extrapolated from what visible light has shown.
 
 #include <QVector>
 #include <QWidget>
@@ -36,11 +36,13 @@ class LightPanel : public QWidget {
 
  private:
   void showKind(LightChoice::Kind kind);
+  void updateAdaptation();
 
   QButtonGroup* kinds_;
   QStackedWidget* pages_;
   QComboBox* lights_;
   QComboBox* observers_;
+  QComboBox* adaptations_;
   QLabel* band_;
 };
 

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -228,6 +233,36 @@ void SpectrumPlot::mouseMoveEvent(QMouseEvent* event) {
   const bool isInside = places.area.left <= x && x <= places.area.right;
   const double nm = places.x.valueAt(x);
   setCrosshair(isInside ? std::optional(nearestSample(nm)) : std::nullopt);
+}
+
+QString SpectrumPlot::curvesText() const {
+  if (original_.isEmpty()) return {};
+  const std::pair<const char*, const QVector<double>&> columns[] = {
+      {"original", original_}, {"edited", edited_}, {"deviation", deviation_}};
+  QString text = "wavelength_nm";
+  for (const auto& [name, curve] : columns) {
+    if (!curve.isEmpty()) text += QString("\t%1").arg(name);
+  }
+  for (int sample = 0; sample < kSampleCount; ++sample) {
+    text += QString("\n%1").arg(wavelengthNm(sample));
+    for (const auto& [name, curve] : columns) {
+      if (!curve.isEmpty()) text += QString("\t%1").arg(curve[sample], 0, 'g', 6);
+    }
+  }
+  return text + '\n';
+}
+
+void SpectrumPlot::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  QAction* copy = menu->addAction(tr("&Copy curves as text"));
+  copy->setEnabled(!original_.isEmpty());
+  copy->setToolTip(original_.isEmpty() ? tr("There is no curve; point at skin in the picture")
+                                       : tr("A table for spreadsheets"));
+  connect(copy, &QAction::triggered, this,
+          [this] { QGuiApplication::clipboard()->setText(curvesText()); });
+  menu->popup(event->globalPos());
 }
 
 void SpectrumPlot::leaveEvent(QEvent*) {

@@ -3,7 +3,7 @@
 // Plot of reflectance against wavelength, 300–1000 nm: original and edited curve, the photograph's
 // channels as points with bars, the bands shaded and named, and a crosshair with the numbers under
 // it. The crosshair follows the mouse, or the arrow keys when the plot has the keyboard (shift: one
-// sample; escape hides it).
+// sample; escape hides it). A right click offers to copy the curves.
 //
 // Reflectance is a share: 0 none, 1 a perfect diffuser. NaN leaves a gap. Interface thread only.
 
@@ -51,6 +51,8 @@ class SpectrumPlot : public QWidget {
   double maximum() const { return maximum_; }
   // The sample under the crosshair.
   std::optional<int> crosshair() const { return crosshair_; }
+  // A table with tabs between its columns, as spreadsheets take it; empty without curves.
+  QString curvesText() const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -60,6 +62,7 @@ class SpectrumPlot : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   // All that is to be seen, at the moment.

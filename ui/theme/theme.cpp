@@ -1,8 +1,13 @@
 #include "ui/theme/theme.h"
 
+#include <algorithm>
+
+#include <QAbstractSpinBox>
 #include <QApplication>
+#include <QEvent>
 #include <QFont>
 #include <QFormLayout>
+#include <QLabel>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmap>
@@ -21,6 +26,7 @@ Tones darkTones() {
   tones.field = QColor(0x1e, 0x1e, 0x1e);
   tones.raised = QColor(0x3c, 0x3c, 0x3c);
   tones.line = QColor(0x4a, 0x4a, 0x4a);
+  tones.control = QColor(0x8a, 0x8a, 0x8a);
   tones.text = QColor(0xdc, 0xdc, 0xdc);
   tones.dimText = QColor(0xa2, 0xa2, 0xa2);
   tones.accent = QColor(0x6f, 0xa8, 0xdc);
@@ -78,6 +84,33 @@ void drawComboBox(QPainter& painter, const QStyleOptionComboBox& box) {
   painter.drawPolyline(QPolygonF({tip + QPointF(-4, -4), tip, tip + QPointF(4, -4)}));
   painter.restore();
   if (box.state & QStyle::State_HasFocus) drawFocusRing(painter, QRectF(box.rect));
+}
+
+// Fusion draws an edge that a dark theme hides.
+void drawCheckBox(QPainter& painter, const QStyleOption& option) {
+  const bool isOn = option.state & QStyle::State_On;
+  const bool isEnabled = option.state & QStyle::State_Enabled;
+  const QColor edge = isEnabled ? tones().control : tones().line;
+  const qreal side = std::min(option.rect.width(), option.rect.height()) - 1;
+  QRectF box(0, 0, side, side);
+  box.moveCenter(QRectF(option.rect).center());
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(isOn && isEnabled ? tones().accent : edge, 1));
+  painter.setBrush(isOn && isEnabled ? tones().accent : tones().field);
+  painter.drawRoundedRect(box, 3, 3);
+  const QPointF middle = box.center();
+  painter.setPen(QPen(isEnabled ? QColor(0x10, 0x10, 0x10) : edge, side / 7, Qt::SolidLine,
+                      Qt::RoundCap, Qt::RoundJoin));
+  if (option.state & QStyle::State_NoChange) {
+    painter.setPen(QPen(edge, side / 7, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(middle - QPointF(side / 4, 0), middle + QPointF(side / 4, 0));
+  } else if (isOn) {
+    painter.drawPolyline(
+        QPolygonF({middle + QPointF(-0.27, 0.02) * side, middle + QPointF(-0.06, 0.23) * side,
+                   middle + QPointF(0.28, -0.22) * side}));
+  }
+  painter.restore();
 }
 
 // Titles of docks are headings, as in a panel that cannot move.
@@ -145,6 +178,8 @@ class Style : public QProxyStyle {
                      const QWidget* widget) const override {
     if (element == PE_IndicatorDockWidgetResizeHandle) {
       drawSeparator(*painter, *option);
+    } else if (element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck) {
+      drawCheckBox(*painter, *option);
     } else if (element == PE_FrameDockWidget) {
       drawFloatingFrame(*painter, option->rect);
     } else if (element != PE_FrameFocusRect) {
@@ -180,6 +215,8 @@ class Style : public QProxyStyle {
     return ofTitle ? titleIcon(which) : QProxyStyle::standardIcon(which, option, widget);
   }
 
+  using QProxyStyle::polish;
+
   int pixelMetric(PixelMetric metric, const QStyleOption* option,
                   const QWidget* widget) const override {
     if (metric == PM_DockWidgetSeparatorExtent) return kSeparator;
@@ -189,12 +226,29 @@ class Style : public QProxyStyle {
     return QProxyStyle::pixelMetric(metric, option, widget);
   }
 
+  // The wheel scrolls past fields of numbers, too; it steps the one that has the keyboard.
+  void polish(QWidget* widget) override {
+    QProxyStyle::polish(widget);
+    if (qobject_cast<QAbstractSpinBox*>(widget) == nullptr) return;
+    widget->setFocusPolicy(Qt::StrongFocus);
+    widget->installEventFilter(this);
+  }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    const bool passes =
+        event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus();
+    if (passes) return QProxyStyle::eventFilter(watched, event);
+    event->ignore();
+    return true;
+  }
+
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* result) const override {
     // The wheel scrolls the panel and chooses nothing on its way.
     if (hint == SH_ComboBox_AllowWheelScrolling) return 0;
     // A shadow below what is disabled reads as blur.
     if (hint == SH_EtchDisabledText || hint == SH_DitherDisabledText) return 0;
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     // Lists follow the arrow keys and one click everywhere.
     if (hint == SH_ItemView_ActivateItemOnSingleClick) return 0;
     return QProxyStyle::styleHint(hint, option, widget, result);
@@ -211,7 +265,8 @@ QMenuBar QPushButton { padding: 1px 12px; }
 QPushButton:hover { background: #474747; }
 QPushButton:pressed { background: @field; }
 QPushButton:disabled { color: #787878; background: transparent; border-color: #3a3a3a; }
-QPushButton:focus { border: 1px solid @accent; }
+QPushButton:focus { border: 2px solid @accent; padding: 3px 11px; }
+QMenuBar QPushButton:focus { padding: 0 11px; }
 QPushButton[primary="true"] { color: #101010; background: @accent; border-color: @accent; }
 QPushButton[primary="true"]:hover { background: #86b8e6; }
 QPushButton[primary="true"]:pressed { background: #5a92c6; }
@@ -221,13 +276,25 @@ QToolButton[segment="true"] { color: @dim; background: @field; border: 1px solid
 QToolButton[segment="true"]:hover { color: @text; }
 QToolButton[segment="true"]:checked { color: @text; background: @raised;
   border-bottom: 2px solid @accent; padding-bottom: 3px; }
-QToolButton[segment="true"]:focus { border: 1px solid @accent; }
+QToolButton[segment="true"]:focus { border: 2px solid @accent; padding: 3px 5px; }
+QLineEdit { color: @text; background: @field; border: 1px solid @control; border-radius: 4px;
+  padding: 1px 4px; }
+QLineEdit:focus { border: 2px solid @accent; padding: 0 3px; }
+QLineEdit:disabled { color: #787878; border-color: @line; }
+QLineEdit[refused="true"] { border: 2px solid @error; padding: 0 3px; }
+QAbstractSpinBox QLineEdit, QComboBox QLineEdit { border: none; padding: 0; }
+QPushButton::menu-indicator { subcontrol-origin: padding; subcontrol-position: center right;
+  right: 6px; }
+QPushButton[menu="true"] { padding-right: 24px; }
+QFrame#palette { border: 1px solid @control; border-radius: 4px; }
+QListView, QTreeView { border: 2px solid transparent; }
+QListView:focus, QTreeView:focus { border-color: @accent; }
 QTabBar { qproperty-drawBase: 0; }
 QTabBar::tab { color: @dim; background: transparent; border: none;
   border-bottom: 2px solid transparent; padding: 4px 12px; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
-QTabBar::tab:focus { border: 1px solid @accent; }
+QTabBar::tab:focus { border: 2px solid @accent; padding: 2px 10px; }
 QProgressBar { background: @field; border: 1px solid @line; border-radius: 4px; }
 QProgressBar::chunk { background: @accent; border-radius: 3px; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
@@ -245,6 +312,8 @@ QString styleSheetOf(const Tones& tones) {
   sheet.replace("@text", tones.text.name());
   sheet.replace("@dim", tones.dimText.name());
   sheet.replace("@line", tones.line.name());
+  sheet.replace("@control", tones.control.name());
+  sheet.replace("@error", tones.error.name());
   sheet.replace("@raised", tones.raised.name());
   sheet.replace("@field", tones.field.name());
   sheet.replace("@accent", tones.accent.name());
@@ -286,8 +355,14 @@ QFont headingFont(const QWidget& widget) {
   return font;
 }
 
+void dimText(QLabel& label) {
+  QPalette palette = label.palette();
+  palette.setColor(QPalette::WindowText, tones().dimText);
+  label.setPalette(palette);
+}
+
 void drawFocusRing(QPainter& painter, const QRectF& rect) {
-  constexpr qreal kWidth = 1.5;
+  constexpr qreal kWidth = 2;
   const qreal inset = kWidth / 2;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -12,6 +12,7 @@
 class QApplication;
 class QFont;
 class QFormLayout;
+class QLabel;
 class QPainter;
 class QWidget;
 
@@ -23,7 +24,8 @@ struct Tones {
   QColor field;     // what is typed into, plots, thumbnails: darker than the panel
   QColor raised;    // buttons
   QColor line;      // separators and axes
-  QColor text;
+  QColor control;   // grooves, check boxes, edges of fields: at least 3 : 1 on panel, field, raised
+  QColor text;      // at least 4.5 : 1 on panel, field and raised, as all texts
   QColor dimText;   // secondary text, at least 4.5 : 1 on panel and field
   QColor accent;    // focus, selection, progress
   QColor original;  // curve of the original skin
@@ -53,6 +55,9 @@ void alignForm(QFormLayout& form);
 // Derived from the widget's own font, so that a larger system font carries through.
 QFont smallFont(const QWidget& widget);
 QFont headingFont(const QWidget& widget);
+
+// In the tone of secondary text, whatever the label had before.
+void dimText(QLabel& label);
 
 // What every control that draws itself shows when it has the keyboard.
 void drawFocusRing(QPainter& painter, const QRectF& rect);

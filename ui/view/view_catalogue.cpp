@@ -43,7 +43,7 @@ std::vector<ViewDescription> makeCatalogue() {
       {ViewKind::editedAlbedo,
        "albedo",
        tr("Edited albedo"),
-       tr("What an export writes: the photograph, changed by as much as the edits change the skin"),
+       tr("What an export writes: the source, changed by as much as the edits change the skin"),
        std::nullopt,
        {},
        true},
@@ -79,6 +79,12 @@ const std::vector<ViewDescription>& viewCatalogue() {
 const ViewDescription& describe(ViewKind kind) {
   const auto& all = viewCatalogue();
   return *std::find_if(all.begin(), all.end(), [kind](const auto& d) { return d.kind == kind; });
+}
+
+QString viewName(ViewKind kind, const Document& document) {
+  const bool isTexture =
+      document.isOpen() && document.scene().source && document.scene().source->image.has_value();
+  return isTexture && kind == ViewKind::photograph ? tr("Source") : describe(kind).name;
 }
 
 std::optional<ViewKind> viewById(const QString& id) {

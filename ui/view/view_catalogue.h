@@ -7,6 +7,7 @@
 
 #include <QString>
 
+#include "src/app/document/document.h"
 #include "src/app/document/view_part.h"
 #include "ui/view/color_scale.h"
 
@@ -27,6 +28,8 @@ struct ViewDescription {
 const std::vector<ViewDescription>& viewCatalogue();
 
 const ViewDescription& describe(ViewKind kind);
+// What a view of this document is called: of a texture, nothing is a photograph.
+QString viewName(ViewKind kind, const Document& document);
 std::optional<ViewKind> viewById(const QString& id);
 
 }  // namespace cutis

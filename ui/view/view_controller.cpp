@@ -72,7 +72,7 @@ void ViewController::fillStrip() {
   QVector<ViewEntry> entries;
   for (const ViewDescription& view : viewCatalogue()) {
     if (!isOffered(view.kind)) continue;
-    entries.push_back({view.id, view.name, view.toolTip});
+    entries.push_back({view.id, viewName(view.kind, document_), view.toolTip});
     thumbnailWatches_[view.kind] =
         server_.watch(ViewPriority::thumbnail, [this](const Part& part) { takeThumbnail(part); });
   }

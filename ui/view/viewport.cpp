@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QFocusEvent>
-#include <QGuiApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPlainTextEdit>
 #include <QStyleHints>
+#include <QTextEdit>
 #include <QWheelEvent>
 
 #include "ui/theme/theme.h"
@@ -22,6 +26,11 @@ constexpr double kArrowDistance = 64;  // device-independent pixels
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNotch = 120;
 
+bool takesText(const QObject* widget) {
+  return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+         qobject_cast<const QTextEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget);
+}
+
 }  // namespace
 
 Viewport::Viewport(QWidget* parent) : QWidget(parent) {
@@ -30,6 +39,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(160, 120);
+  qApp->installEventFilter(this);
 }
 
 void Viewport::setPictureSize(int width, int height) {
@@ -81,6 +91,12 @@ void Viewport::zoomOneToOne() {
 
 void Viewport::zoomBy(double factor) {
   geometry_.zoomBy(factor, anchor());
+  viewMoved();
+}
+
+void Viewport::showPlace(const QPointF& image, double zoom) {
+  geometry_.zoomTo(zoom, geometry_.middle());
+  geometry_.pan(geometry_.middle() - geometry_.toDevice(image));
   viewMoved();
 }
 
@@ -226,8 +242,8 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
       move = {0, -far};
       break;
     case Qt::Key_Space:
-      if (!event->isAutoRepeat()) spaceHeld_ = true;
-      return updateShape();
+      if (!event->isAutoRepeat()) setSpaceHeld(true);
+      return;
     default:
       return QWidget::keyPressEvent(event);
   }
@@ -237,8 +253,29 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
 
 void Viewport::keyReleaseEvent(QKeyEvent* event) {
   if (event->key() != Qt::Key_Space) return QWidget::keyReleaseEvent(event);
-  if (!event->isAutoRepeat()) spaceHeld_ = false;
+  if (!event->isAutoRepeat()) setSpaceHeld(false);
+}
+
+void Viewport::setSpaceHeld(bool held) {
+  spaceHeld_ = held;
   updateShape();
+}
+
+bool Viewport::eventFilter(QObject* watched, QEvent* event) {
+  const bool isPress = event->type() == QEvent::KeyPress;
+  if (!isPress && event->type() != QEvent::KeyRelease) return false;
+  const auto* key = static_cast<const QKeyEvent*>(event);
+  if (key->key() != Qt::Key_Space || watched == this || !watched->isWidgetType()) return false;
+  const bool isWanted = isPress ? cursor_ && isActiveWindow() && !takesText(watched) : spaceHeld_;
+  if (!isWanted) return false;
+  if (!key->isAutoRepeat()) setSpaceHeld(isPress);
+  return true;
+}
+
+// The release of the key goes to another window.
+void Viewport::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) setSpaceHeld(false);
+  QWidget::changeEvent(event);
 }
 
 void Viewport::focusInEvent(QFocusEvent* event) {
@@ -248,8 +285,7 @@ void Viewport::focusInEvent(QFocusEvent* event) {
 
 void Viewport::focusOutEvent(QFocusEvent*) {
   showFocus_ = false;
-  spaceHeld_ = false;  // its release goes elsewhere
-  updateShape();
+  setSpaceHeld(false);  // its release goes elsewhere
   update();
 }
 

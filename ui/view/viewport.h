@@ -5,7 +5,8 @@
 // the overview, stretched, stands in, so that panning and zooming never wait.
 //
 // The arrow keys pan, and so do space and drag, or the middle button; the wheel zooms about the
-// cursor. Interface thread only.
+// cursor. While the cursor is over the view space is held for it, whatever has the keyboard, unless
+// that is a field of text. Interface thread only.
 
 #include <optional>
 
@@ -41,6 +42,10 @@ class Viewport : public QWidget {
   // Device pixels per image pixel.
   double zoom() const { return geometry_.scale(); }
   bool fitted() const { return geometry_.fitted(); }
+  // The image point in the middle of the view.
+  QPointF middle() const { return geometry_.toImage(geometry_.middle()); }
+  // Brings an image point into the middle, at this zoom.
+  void showPlace(const QPointF& image, double zoom);
   // As viewChanged last reported; empty without a picture.
   Rect visibleRect() const { return geometry_.visible(); }
   int samplingStep() const { return geometry_.step(); }
@@ -80,8 +85,11 @@ class Viewport : public QWidget {
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void setSpaceHeld(bool held);
   std::optional<QPoint> pixelAt(const QPointF& widget) const;
   QPointF anchor() const;
   void viewMoved();

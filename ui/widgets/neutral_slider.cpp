@@ -15,15 +15,12 @@ namespace {
 
 constexpr double kHandleRadius = 6.5;
 constexpr double kGrooveHeight = 4;
-constexpr double kFine = 0.1;
-// Per key, of the scale's value.
-constexpr double kKeyStep = 0.05;
 constexpr double kPageStep = 0.25;
 // QSlider counts in integers; they serve accessibility only.
 constexpr int kPlaces = 2000;
 
 double fineness(Qt::KeyboardModifiers modifiers) {
-  return modifiers & Qt::ShiftModifier ? kFine : 1.0;
+  return modifiers & Qt::ShiftModifier ? kFineStep : 1.0;
 }
 
 }  // namespace
@@ -31,12 +28,17 @@ double fineness(Qt::KeyboardModifiers modifiers) {
 NeutralSlider::NeutralSlider(const SliderScale& scale, QWidget* parent)
     : QSlider(Qt::Horizontal, parent), scale_(scale), number_(scale.neutral) {
   setRange(0, kPlaces);
-  setNumber(scale.neutral);
+  place(scale.neutral);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setFocusPolicy(Qt::StrongFocus);
 }
 
 void NeutralSlider::setNumber(double number) {
+  if (number != number_) dragging_ = false;
+  place(number);
+}
+
+void NeutralSlider::place(double number) {
   number_ = std::clamp(number, scale_.minimum, scale_.maximum);
   QSlider::setValue(static_cast<int>(std::lround(scale_.placeOf(number_) * kPlaces)));
   update();
@@ -49,9 +51,10 @@ QSize NeutralSlider::minimumSizeHint() const {
   return {80, 22};
 }
 
-void NeutralSlider::moveTo(double value, bool stillMoving) {
-  setNumber(value);
-  Q_EMIT valueMoved(number_, stillMoving);
+void NeutralSlider::moveTo(double value, SliderMotion motion) {
+  const double before = number_;
+  place(value);
+  if (number_ != before) Q_EMIT valueMoved(number_, motion);
 }
 
 // Where the middle of the handle runs.
@@ -68,7 +71,7 @@ void NeutralSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(Qt::NoPen);
-  painter.setBrush(tones.line);
+  painter.setBrush(tones.control);
   painter.drawRoundedRect(track, kGrooveHeight / 2, kGrooveHeight / 2);
   painter.setBrush(tones.dimText);
   painter.drawRect(QRectF(middle - 0.5, track.top() - 4, 1, kGrooveHeight + 8));
@@ -90,36 +93,33 @@ void NeutralSlider::paintEvent(QPaintEvent*) {
 
 void NeutralSlider::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return event->ignore();
-  const QRectF track = groove();
   dragX_ = event->position().x();
   dragPlace_ = scale_.placeOf(number_);
   dragging_ = true;
-  const double handleX = track.left() + track.width() * dragPlace_;
-  if (std::abs(dragX_ - handleX) > kHandleRadius + 2) {
-    dragPlace_ = (dragX_ - track.left()) / track.width();
-    moveTo(scale_.valueAt(dragPlace_), true);
-  }
+  moved_ = false;
   update();
 }
 
 void NeutralSlider::mouseMoveEvent(QMouseEvent* event) {
-  if (!dragging_) return;
   const double x = event->position().x();
+  if (!dragging_ || x == dragX_) return;
   dragPlace_ += (x - dragX_) / groove().width() * fineness(event->modifiers());
   dragX_ = x;
-  moveTo(scale_.valueAt(dragPlace_), true);
+  moved_ = true;
+  moveTo(scale_.valueAt(dragPlace_), SliderMotion::dragging);
 }
 
 void NeutralSlider::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !dragging_) return;
   dragging_ = false;
-  moveTo(number_, false);
+  update();
+  if (moved_) Q_EMIT valueMoved(number_, SliderMotion::done);
 }
 
 void NeutralSlider::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   dragging_ = false;
-  moveTo(scale_.neutral, false);
+  moveTo(scale_.neutral, SliderMotion::done);
 }
 
 void NeutralSlider::wheelEvent(QWheelEvent* event) {
@@ -127,30 +127,30 @@ void NeutralSlider::wheelEvent(QWheelEvent* event) {
   // With shift some platforms turn the wheel sideways.
   const QPoint turned = event->angleDelta();
   const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
-  moveTo(number_ + notches * kKeyStep * fineness(event->modifiers()), false);
+  moveTo(number_ + notches * kSliderStep * fineness(event->modifiers()), SliderMotion::stepping);
   event->accept();
 }
 
 void NeutralSlider::keyPressEvent(QKeyEvent* event) {
-  const double step = kKeyStep * fineness(event->modifiers());
+  const double step = kSliderStep * fineness(event->modifiers());
   switch (event->key()) {
     case Qt::Key_Left:
     case Qt::Key_Down:
-      return moveTo(number_ - step, false);
+      return moveTo(number_ - step, SliderMotion::stepping);
     case Qt::Key_Right:
     case Qt::Key_Up:
-      return moveTo(number_ + step, false);
+      return moveTo(number_ + step, SliderMotion::stepping);
     case Qt::Key_PageDown:
-      return moveTo(number_ - kPageStep, false);
+      return moveTo(number_ - kPageStep, SliderMotion::stepping);
     case Qt::Key_PageUp:
-      return moveTo(number_ + kPageStep, false);
+      return moveTo(number_ + kPageStep, SliderMotion::stepping);
     case Qt::Key_Home:
-      return moveTo(scale_.minimum, false);
+      return moveTo(scale_.minimum, SliderMotion::done);
     case Qt::Key_End:
-      return moveTo(scale_.maximum, false);
+      return moveTo(scale_.maximum, SliderMotion::done);
     case Qt::Key_Delete:
     case Qt::Key_Backspace:
-      return moveTo(scale_.neutral, false);
+      return moveTo(scale_.neutral, SliderMotion::done);
     default:
       event->ignore();
   }

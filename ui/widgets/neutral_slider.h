@@ -1,11 +1,13 @@
 #pragma once  // internal to ui/widgets
 
 // A slider with its neutral value in the middle: the groove fills from there, a double click goes
-// back there. Shift makes drag and keys ten times finer. The wheel acts only when it has the focus,
-// so that scrolling a dock changes nothing.
+// back there. A drag moves the handle by as much as the mouse moves, wherever it begins, so that a
+// click alone changes nothing. Shift makes drag and keys ten times finer. The wheel acts only when
+// it has the focus, so that scrolling a dock changes nothing.
 
 #include <QSlider>
 
+#include "ui/widgets/slider_motion.h"
 #include "ui/widgets/slider_scale.h"
 
 namespace cutis {
@@ -17,15 +19,15 @@ class NeutralSlider : public QSlider {
   explicit NeutralSlider(const SliderScale& scale, QWidget* parent = nullptr);
 
   double number() const { return number_; }
-  // Silent.
+  // Silent. Another number ends a drag that is under way.
   void setNumber(double number);
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
  Q_SIGNALS:
-  // The user has moved it. A drag ends with stillMoving false, even where it began.
-  void valueMoved(double value, bool stillMoving);
+  // The user has moved it. A drag ends with `done`, even where it began.
+  void valueMoved(double value, cutis::SliderMotion motion);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -40,11 +42,13 @@ class NeutralSlider : public QSlider {
 
  private:
   QRectF groove() const;
-  void moveTo(double value, bool stillMoving);
+  void place(double value);
+  void moveTo(double value, SliderMotion motion);
 
   SliderScale scale_;
   double number_;
   bool dragging_ = false;
+  bool moved_ = false;    // since the mouse was pressed
   double dragX_ = 0;      // of the mouse, at its last move
   double dragPlace_ = 0;  // may lie beyond the ends: the handle waits for the mouse to come back
 };

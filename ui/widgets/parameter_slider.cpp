@@ -1,93 +1,74 @@
 #include "ui/widgets/parameter_slider.h"
 
-#include <algorithm>
-#include <optional>
-
-#include <QDoubleSpinBox>
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QLabel>
-#include <QSignalBlocker>
+#include <QMenu>
 
 #include "ui/theme/theme.h"
+#include "ui/widgets/factor_field.h"
+#include "ui/widgets/factor_text.h"
 #include "ui/widgets/neutral_slider.h"
 
 namespace cutis {
 namespace {
 
-// A number beyond the range is taken as the nearest end; Qt would put the old one back without a
-// word. Shift and the arrow keys step ten times finer here too; Qt's own modifier is control, and
-// coarser.
-class FactorField : public QDoubleSpinBox {
- public:
-  using QDoubleSpinBox::QDoubleSpinBox;
-
-  void stepBy(int steps) override {
-    const bool fine = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
-    setValue(value() + steps * singleStep() * (fine ? 0.1 : 1.0));
-  }
-
-  // Any number may be typed, with more digits than are kept or a sign.
-  QValidator::State validate(QString& text, int& position) const override {
-    const QValidator::State state = QDoubleSpinBox::validate(text, position);
-    if (state != QValidator::Invalid) return state;
-    const bool isBegun = text == "-" || text == "+" || numberIn(text).has_value();
-    return isBegun ? QValidator::Intermediate : state;
-  }
-
-  void fixup(QString& text) const override {
-    const std::optional<double> number = numberIn(text);
-    text = textFromValue(number ? std::clamp(*number, minimum(), maximum()) : value());
-  }
-
- private:
-  std::optional<double> numberIn(const QString& text) const {
-    bool isNumber = false;
-    const double number = locale().toDouble(text, &isNumber);
-    return isNumber ? std::optional(number) : std::nullopt;
-  }
-};
+// Keys and notches that follow each other faster belong together.
+constexpr int kBurstMs = 700;
 
 }  // namespace
 
 ParameterSlider::ParameterSlider(const QString& name, const QString& toolTip,
                                  const SliderScale& scale, QWidget* parent)
     : QWidget(parent),
+      scale_(scale),
+      usualToolTip_(toolTip),
       label_(new QLabel(name, this)),
-      field_(new FactorField(this)),
-      slider_(new NeutralSlider(scale, this)) {
-  field_->setRange(scale.minimum, scale.maximum);
-  field_->setDecimals(3);
-  field_->setSingleStep(0.05);
-  field_->setKeyboardTracking(false);  // "1.25" is one change, not four
-  field_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field_->setAlignment(Qt::AlignRight);
+      slider_(new NeutralSlider(scale, this)),
+      field_(new FactorField(scale, this)),
+      message_(new QLabel(this)) {
   field_->setAccessibleName(tr("%1, number").arg(name));
-  field_->setToolTip(tr("From %1 to %2").arg(scale.minimum).arg(scale.maximum));
-  field_->setFixedWidth(field_->fontMetrics().horizontalAdvance("0.0000") + 2 * theme::kSpace);
+  field_->setAccessibleDescription(limitsText(scale));
   slider_->setAccessibleName(name);
   label_->setBuddy(field_);
   setAccessibleName(name);
-  setToolTip(toolTip);
+  setResting({});
+  layOut();
+  setFocusProxy(slider_);
+  burst_.setSingleShot(true);
+  burst_.setInterval(kBurstMs);
 
+  connect(slider_, &NeutralSlider::valueMoved, this, &ParameterSlider::change);
+  connect(field_, &FactorField::numberTyped, this,
+          [this](double number) { change(number, SliderMotion::done); });
+  connect(field_, &FactorField::numberStepped, this,
+          [this](double number) { change(number, SliderMotion::stepping); });
+  connect(field_, &FactorField::refused, this, [this](const QString& sentence) {
+    message_->setText(sentence);
+    message_->setVisible(!sentence.isEmpty());
+  });
+  connect(&burst_, &QTimer::timeout, this, &ParameterSlider::stepEnded);
+  for (QWidget* part : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(field_)})
+    part->installEventFilter(this);
+}
+
+void ParameterSlider::layOut() {
+  QPalette alarmed = message_->palette();
+  alarmed.setColor(QPalette::WindowText, theme::tones().error);
+  message_->setPalette(alarmed);
+  message_->setWordWrap(true);
+  message_->hide();
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
-  grid->setVerticalSpacing(theme::kHalfSpace / 2);
-  grid->addWidget(label_, 0, 0);
-  grid->addWidget(field_, 0, 1);
-  grid->addWidget(slider_, 1, 0, 1, 2);
+  grid->setHorizontalSpacing(theme::kSpace);
+  grid->setVerticalSpacing(0);
+  grid->addWidget(label_, 0, 0, 1, 2);
+  grid->addWidget(slider_, 1, 0);
+  grid->addWidget(field_, 1, 1);
+  grid->addWidget(message_, 2, 0, 1, 2);
   grid->setColumnStretch(0, 1);
-  setFocusProxy(slider_);
-  showValue(scale.neutral);
-
-  connect(slider_, &NeutralSlider::valueMoved, this, [this](double value, bool stillMoving) {
-    showValue(value);
-    Q_EMIT valueChanged(value, stillMoving);
-  });
-  connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    slider_->setNumber(value);
-    Q_EMIT valueChanged(value, false);
-  });
 }
 
 double ParameterSlider::value() const {
@@ -96,12 +77,57 @@ double ParameterSlider::value() const {
 
 void ParameterSlider::setValue(double value) {
   slider_->setNumber(value);
-  showValue(slider_->number());
+  field_->setNumber(slider_->number());
 }
 
-void ParameterSlider::showValue(double value) {
-  const QSignalBlocker silent(field_);
-  field_->setValue(value);
+void ParameterSlider::setResting(const QString& why) {
+  setEnabled(why.isEmpty());
+  setToolTip(why.isEmpty() ? usualToolTip_ : why);
+  field_->setToolTip(why.isEmpty() ? tr("From %1").arg(limitsText(scale_)) : why);
+}
+
+QWidget* ParameterSlider::lastInTabOrder() const {
+  return field_;
+}
+
+void ParameterSlider::change(double value, SliderMotion motion) {
+  if (motion != SliderMotion::stepping) endBurst();
+  slider_->setNumber(value);
+  field_->setNumber(slider_->number());
+  Q_EMIT valueChanged(value, motion == SliderMotion::dragging);
+  if (motion == SliderMotion::stepping) burst_.start();
+  if (motion == SliderMotion::done) Q_EMIT stepEnded();
+}
+
+void ParameterSlider::endBurst() {
+  if (!burst_.isActive()) return;
+  burst_.stop();
+  Q_EMIT stepEnded();
+}
+
+bool ParameterSlider::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusOut) endBurst();
+  return QWidget::eventFilter(watched, event);
+}
+
+void ParameterSlider::enterValue() {
+  field_->setFocus(Qt::ShortcutFocusReason);
+  field_->selectAll();
+}
+
+void ParameterSlider::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const QAction* reset = menu->addAction(tr("&Reset to %1").arg(factorText(scale_.neutral)));
+  const QAction* copy = menu->addAction(tr("&Copy value"));
+  const QAction* enter = menu->addAction(tr("&Enter value"));
+  connect(reset, &QAction::triggered, this, [this] {
+    if (value() != scale_.neutral) change(scale_.neutral, SliderMotion::done);
+  });
+  connect(copy, &QAction::triggered, this,
+          [this] { QGuiApplication::clipboard()->setText(factorText(value()).mid(1)); });
+  connect(enter, &QAction::triggered, this, &ParameterSlider::enterValue);
+  menu->popup(event->globalPos());
 }
 
 }  // namespace cutis

@@ -1,16 +1,19 @@
 #pragma once
 
-// One number of an edit: name, number field, and a slider with the neutral value in its middle.
+// One number of an edit: its name, and below that a slider with the neutral value in its middle and
+// a field with the number. A right click offers to reset, copy and enter it.
 
+#include <QTimer>
 #include <QWidget>
 
+#include "ui/widgets/slider_motion.h"
 #include "ui/widgets/slider_scale.h"
 
-class QDoubleSpinBox;
 class QLabel;
 
 namespace cutis {
 
+class FactorField;
 class NeutralSlider;
 
 class ParameterSlider : public QWidget {
@@ -24,18 +27,36 @@ class ParameterSlider : public QWidget {
   double value() const;
   // Clamps to the scale; silent.
   void setValue(double value);
+  // Why it cannot be moved now, which its tool tip says; empty if it can.
+  void setResting(const QString& why);
+  // So that slider and field are reached in the order in which they stand.
+  QWidget* lastInTabOrder() const;
 
  Q_SIGNALS:
   // The user has changed it. While the slider is dragged stillMoving is true; the drag ends with
-  // one call where it is false. Keys, double click and typed numbers are final at once.
+  // one call where it is false.
   void valueChanged(double value, bool stillMoving);
+  // What has changed since the last one is one step: a drag, a typed number, or keys and notches
+  // of the wheel that came without a pause.
+  void stepEnded();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  void showValue(double value);
+  void layOut();
+  void change(double value, SliderMotion motion);
+  void endBurst();
+  void enterValue();
 
+  SliderScale scale_;
+  QString usualToolTip_;
   QLabel* label_;
-  QDoubleSpinBox* field_;
   NeutralSlider* slider_;
+  FactorField* field_;
+  QLabel* message_;
+  QTimer burst_;
 };
 
 }  // namespace cutis

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QApplication>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QShortcut>
 #include <QToolButton>
 
 #include "ui/theme/theme.h"
+#include "ui/widgets/cross_button.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/message_mark.h"
 
 namespace cutis {
 namespace {
@@ -23,59 +23,7 @@ constexpr int kBarWidth = 140;
 constexpr int kSteps = 1000;
 constexpr std::size_t kMostMessages = 40;  // older ones are forgotten
 constexpr int kReadingMs = 1000;           // after so long a message is taken to be read
-
-// Draws its cross itself: fonts without the sign would show a box, and pictures blur at 1.5 ×.
-class CrossButton : public QToolButton {
- public:
-  CrossButton(const QString& name, const QString& toolTip, QWidget* parent) : QToolButton(parent) {
-    setAutoRaise(true);
-    setAccessibleName(name);
-    setToolTip(toolTip);
-    setFocusPolicy(Qt::TabFocus);
-    setFixedSize(24, 24);
-  }
-
- protected:
-  void paintEvent(QPaintEvent* event) override {
-    QToolButton::paintEvent(event);
-    constexpr double kArm = 4;
-    const QPointF middle = QRectF(rect()).center();
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme::tones().text, 1.6, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(middle - QPointF(kArm, kArm), middle + QPointF(kArm, kArm));
-    painter.drawLine(middle - QPointF(kArm, -kArm), middle + QPointF(kArm, -kArm));
-    if (hasFocus()) theme::drawFocusRing(painter, QRectF(rect()));
-  }
-};
-
-// A triangle for errors, a disc for notices: never colour alone.
-QPixmap messageMark(bool isError) {
-  constexpr int kSize = 14;
-  const double ratio = qApp->devicePixelRatio();
-  QPixmap pixmap(QSize(kSize, kSize) * ratio);
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  if (isError) {
-    painter.setBrush(theme::tones().error);
-    painter.drawPolygon(QPolygonF({{7, 0.5}, {13.8, 13}, {0.2, 13}}));
-  } else {
-    painter.setBrush(theme::tones().accent);
-    painter.drawEllipse(QPointF(7, 7), 6.5, 6.5);
-  }
-  painter.setPen(QPen(theme::tones().field, 1.8, Qt::SolidLine, Qt::RoundCap));
-  if (isError) {
-    painter.drawLine(QPointF(7, 5), QPointF(7, 8.4));
-    painter.drawPoint(QPointF(7, 11));
-  } else {
-    painter.drawPoint(QPointF(7, 4));
-    painter.drawLine(QPointF(7, 6.8), QPointF(7, 10.2));
-  }
-  return pixmap;
-}
+constexpr int kNoticeMs = 10000;           // after so long a notice is old news
 
 }  // namespace
 
@@ -123,8 +71,15 @@ ProgressStrip::ProgressStrip(QWidget* parent)
       dismiss();
     }
   });
+  age_.setSingleShot(true);
+  age_.setInterval(kNoticeMs);
+  connect(&age_, &QTimer::timeout, this, &ProgressStrip::dismiss);
   clearJob();
   showCurrent();
+}
+
+void ProgressStrip::setNoticeLife(int ms) {
+  age_.setInterval(ms);
 }
 
 void ProgressStrip::setJob(const JobState& job) {
@@ -209,7 +164,13 @@ void ProgressStrip::showCurrent() {
   messageMark_->setVisible(any);
   message_->setVisible(any);
   dismiss_->setVisible(any);
-  if (message_->text() != message()) shownFor_.start();
+  const bool isAnother = message_->text() != message();
+  if (isAnother) shownFor_.start();
+  if (!any || messageIsError()) {
+    age_.stop();
+  } else if (isAnother || !age_.isActive()) {
+    age_.start();
+  }
   message_->setText(message());
   messageMark_->setPixmap(messageMark(messageIsError()));
   messageMark_->setAccessibleName(messageIsError() ? tr("Error") : tr("Notice"));

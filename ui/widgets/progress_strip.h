@@ -1,14 +1,16 @@
 #pragma once
 
-// The line at the foot of the window: the running job with its cancel button, a message that stays
-// until it is dismissed, and the read-out under the cursor on the right. Escape cancels the job; if
-// none runs it dismisses the message. Interface thread only.
+// The line at the foot of the window: the running job with its cancel button, a message, and the
+// read-out under the cursor on the right. Escape cancels the job; if none runs it dismisses the
+// message. Errors stay until they are dismissed; notices go after ten seconds. Interface thread
+// only.
 
 #include <list>
 #include <optional>
 
 #include <QElapsedTimer>
 #include <QString>
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -50,6 +52,8 @@ class ProgressStrip : public QWidget {
   bool messageIsError() const;
   // False: messages are shown by somebody else; Escape still dismisses them.
   void setMessagesShown(bool shown);
+  // How long a notice is shown, instead of ten seconds.
+  void setNoticeLife(int ms);
 
   void setReadout(const QString& text);
 
@@ -85,6 +89,7 @@ class ProgressStrip : public QWidget {
   bool messagesShown_ = true;
   std::list<Message> messages_;  // notices, then errors, each the oldest first; the last is shown
   QElapsedTimer shownFor_;
+  QTimer age_;  // of the notice that is shown
 };
 
 // "3 s left", "2 min left"; "less than 1 s left" below one second.

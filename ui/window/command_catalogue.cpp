@@ -4,9 +4,13 @@
 #include <QWidget>
 
 #include "src/app/document/document.h"
+#include "ui/commands/command_palette.h"
+#include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/about.h"
 #include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/fit_options_dialog.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/dialogs/save_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
@@ -14,6 +18,8 @@
 #include "ui/view/view_catalogue.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
+#include "ui/window/preset_commands.h"
+#include "ui/window/private_data.h"
 
 namespace cutis {
 namespace {
@@ -49,9 +55,16 @@ Rows fileCommands(const Editor& editor) {
        .toolTip = tr("Photographs of one subject under several lights, with their capture.json"),
        .shortcuts = {QKeySequence(tr("Ctrl+K"))},
        .run = [&open] { open.chooseCapture(); }},
+      {.id = "file.openPhotographs",
+       .menu = Menu::file,
+       .text = tr("Open &photographs…"),
+       .toolTip = tr("Photographs of one subject under several lights, without a capture.json: you "
+                     "say which is which"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+K"))},
+       .run = [&open] { open.choosePhotographs(); }},
       {.id = "file.openImage",
        .menu = Menu::file,
-       .text = tr("Open &image or maps…"),
+       .text = tr("Open &image, maps or project…"),
        .shortcuts = QKeySequence::keyBindings(QKeySequence::Open),
        .run = [&open] { open.chooseImage(); }},
       {.id = "file.openImageAs",
@@ -60,13 +73,40 @@ Rows fileCommands(const Editor& editor) {
        .toolTip = tr("Choose the colour space, layer, exposure and mask"),
        .shortcuts = {QKeySequence(tr("Ctrl+Alt+O"))},
        .run = [&open] { open.chooseImageAs(); }},
+      {.id = "file.save",
+       .menu = Menu::file,
+       .text = tr("&Save project"),
+       .toolTip = tr("What is open, its fit, its edits and the view of it, in a file of its own"),
+       .shortcuts = QKeySequence::keyBindings(QKeySequence::Save),
+       .beginsSection = true,
+       .run = [editor] { editor.page().saves().save(); },
+       .objection = [editor] { return editor.page().saves().objection(); }},
+      {.id = "file.saveAs",
+       .menu = Menu::file,
+       .text = tr("Save project &as…"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+S"))},
+       .run = [editor] { editor.page().saves().saveAs(); },
+       .objection = [editor] { return editor.page().saves().objection(); }},
+      {.id = "file.saveMaps",
+       .menu = Menu::file,
+       .text = tr("Save &maps…"),
+       .toolTip = tr("The fitted maps, without the edits"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Alt+S"))},
+       .run = [editor] { editor.page().exports().chooseMaps(); },
+       .objection = [editor] { return editor.page().exports().mapsObjection(); }},
       {.id = "file.export",
        .menu = Menu::file,
        .text = tr("&Export edited albedo…"),
        .shortcuts = {QKeySequence(tr("Ctrl+E"))},
-       .beginsSection = true,
        .run = [editor] { editor.page().exports().choose(); },
        .objection = [editor] { return editor.page().exports().objection(); }},
+      {.id = "file.clearPrivateData",
+       .menu = Menu::file,
+       .text = tr("Clear private &data…"),
+       .toolTip = tr("Journals of earlier sessions, caches, and the names of recent files"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+Del"))},
+       .beginsSection = true,
+       .run = [editor] { askToClearPrivateData(editor.window); }},
       {.id = "file.close",
        .menu = Menu::file,
        .text = tr("&Close"),
@@ -159,25 +199,26 @@ Rows viewCommands(const Editor& editor) {
   Rows rows;
   for (const ViewDescription& view : viewCatalogue()) {
     const auto number = rows.size() + 1;
-    rows.push_back({.id = "view." + view.id,
-                    .menu = Menu::view,
-                    .text = view.name,
-                    .toolTip = view.toolTip,
-                    .beginsSection = rows.empty(),
-                    .run = [editor, kind = view.kind] { editor.page().views().show(kind); },
-                    .objection =
-                        [editor, kind = view.kind] {
-                          if (!editor.document().isOpen()) return unlessOpen(editor.document());
-                          return editor.page().views().isOffered(kind)
-                                     ? QString()
-                                     : tr("Maps alone hold no photograph; open the photographs "
-                                          "they were fitted to");
-                        },
-                    .isOn =
-                        [editor, kind = view.kind] {
-                          return editor.document().isOpen() &&
-                                 editor.page().views().current() == kind;
-                        }});
+    rows.push_back(
+        {.id = "view." + view.id,
+         .menu = Menu::view,
+         .text = view.name,
+         .toolTip = view.toolTip,
+         .beginsSection = rows.empty(),
+         .run = [editor, kind = view.kind] { editor.page().views().show(kind); },
+         .objection =
+             [editor, kind = view.kind] {
+               if (!editor.document().isOpen()) return unlessOpen(editor.document());
+               return editor.page().views().isOffered(kind)
+                          ? QString()
+                          : tr("Maps alone hold no photograph; open the photographs "
+                               "they were fitted to");
+             },
+         .textNow = [editor, kind = view.kind] { return viewName(kind, editor.document()); },
+         .isOn =
+             [editor, kind = view.kind] {
+               return editor.document().isOpen() && editor.page().views().current() == kind;
+             }});
     if (number <= 10) {
       rows.back().shortcuts = {QKeySequence(QString("Alt+%1").arg(number % 10))};
     }
@@ -243,6 +284,13 @@ Rows fitCommands(const Editor& editor) {
        .shortcuts = {QKeySequence(tr("Ctrl+Shift+L"))},
        .run = [editor] { editor.page().fit().chooseProfile(editor.window); },
        .objection = objection},
+      {.id = "fit.options",
+       .menu = Menu::fit,
+       .text = tr("Fit &options…"),
+       .toolTip = tr("Noise, prior, parameters that are held, constants found per pixel"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+F"))},
+       .run = [editor] { askForFitOptions(editor.document(), editor.window); },
+       .objection = objection},
       {.id = "fit.train",
        .menu = Menu::fit,
        .text = tr("&Train a network…"),
@@ -254,10 +302,23 @@ Rows fitCommands(const Editor& editor) {
 
 Rows helpCommands(const Editor& editor) {
   return {
+      {.id = "help.palette",
+       .menu = Menu::help,
+       .text = tr("&Find command…"),
+       .toolTip = tr("Any command by a few letters of its name"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+P"))},
+       .run = [&palette = editor.palette] { palette.open(); }},
+      {.id = "help.shortcuts",
+       .menu = Menu::help,
+       .text = tr("&Keyboard shortcuts"),
+       .toolTip = tr("All shortcuts, to look at and to change"),
+       .shortcuts = {Qt::Key_Question},
+       .run = [&shortcuts = editor.shortcuts] { shortcuts.open(); }},
       {.id = "help.about",
        .menu = Menu::help,
        .text = tr("&About Cutis"),
        .shortcuts = {QKeySequence(tr("Shift+F1"))},
+       .beginsSection = true,
        .run = [&window = editor.window] { showAbout(window); }},
   };
 }
@@ -266,8 +327,8 @@ Rows helpCommands(const Editor& editor) {
 
 std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
-  for (const auto& part : {fileCommands, editCommands, zoomCommands, viewCommands, dockCommands,
-                           tabCommands, fitCommands, helpCommands}) {
+  for (const auto& part : {fileCommands, editCommands, presetCommands, zoomCommands, viewCommands,
+                           dockCommands, tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

@@ -3,15 +3,22 @@
 #include <QCoreApplication>
 
 #include "ui/commands/command_registry.h"
+#include "ui/commands/context_menu.h"
+#include "ui/dialogs/export_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/edit_panel.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/fit_panel.h"
+#include "ui/docks/info_controller.h"
+#include "ui/docks/info_panel.h"
 #include "ui/docks/light_catalogue.h"
 #include "ui/docks/light_controller.h"
 #include "ui/docks/light_panel.h"
 #include "ui/docks/spectrum_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/edits/history_controller.h"
+#include "ui/edits/history_panel.h"
+#include "ui/edits/preset_catalogue.h"
 #include "ui/plot/spectrum_plot.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
@@ -25,8 +32,10 @@ QString tr(const char* text) {
   return QCoreApplication::translate("DockCatalogue", text);
 }
 
-QWidget* makeViews(DocumentPage& page) {
+QWidget* makeViews(DocumentPage& page, CommandRegistry& commands) {
   auto* strip = new ViewStrip;
+  giveContextMenu(*strip, commands,
+                  {"view.wholePicture", "view.oneToOne", "", "file.export", "", "dock.views"});
   page.views().attach(*strip);
   return strip;
 }
@@ -37,10 +46,28 @@ QWidget* makeSpectrum(DocumentPage& page, ProgressStrip& progress) {
   return plot;
 }
 
-QWidget* makeEdit(DocumentPage& page) {
+QWidget* makeEdit(DocumentPage& page, CommandRegistry& commands) {
   auto* panel = new EditPanel;
+  QStringList presets;
+  for (const PresetDescription& preset : presetCatalogue())
+    presets << "edit.preset." + preset.id;
+  panel->setPresets(commandMenu(*panel, commands,
+                                presets + QStringList{"", "edit.loadPreset", "edit.savePreset"}));
   page.edits().attach(*panel);
   return new PanelScroll(panel);
+}
+
+QWidget* makeHistory(DocumentPage& page) {
+  auto* panel = new HistoryPanel;
+  new HistoryController(page.document(), *panel, panel);
+  return panel;
+}
+
+QWidget* makeInfo(DocumentPage& page) {
+  auto* panel = new InfoPanel;
+  auto* controller = new InfoController(page.document(), page.server(), *panel, panel);
+  QObject::connect(&page.exports(), &ExportController::noticed, controller, &InfoController::add);
+  return panel;
 }
 
 QWidget* makeLight(DocumentPage& page) {
@@ -56,6 +83,8 @@ QWidget* makeFit(DocumentPage& page, CommandRegistry& commands) {
   page.fit().attach(*panel);
   QObject::connect(panel, &FitPanel::loadWanted, panel,
                    [&commands] { commands.run("fit.loadProfile"); });
+  QObject::connect(panel, &FitPanel::optionsWanted, panel,
+                   [&commands] { commands.run("fit.options"); });
   QObject::connect(panel, &FitPanel::trainingWanted, panel,
                    [&commands] { commands.run("fit.train"); });
   auto* scroll = new PanelScroll(panel);
@@ -80,12 +109,12 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& pr
        .area = Qt::LeftDockWidgetArea,
        .shortcut = Qt::Key_F5,
        .extent = 152,
-       .makePanel = [&page] { return makeViews(page); },
+       .makePanel = [&page, &commands] { return makeViews(page, commands); },
        .seen = [&views = page.views()](QWidget&, bool seen) { views.setStripSeen(seen); }},
       {.id = "edit",
        .title = tr("&Edit"),
        .shortcut = Qt::Key_F6,
-       .makePanel = [&page] { return makeEdit(page); }},
+       .makePanel = [&page, &commands] { return makeEdit(page, commands); }},
       {.id = "light",
        .title = tr("&Light"),
        .shortcut = Qt::Key_F7,
@@ -94,6 +123,16 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& pr
        .title = tr("&Fit"),
        .shortcut = Qt::Key_F8,
        .makePanel = [&page, &commands] { return makeFit(page, commands); }},
+      {.id = "history",
+       .title = tr("&History"),
+       .shortcut = QKeySequence(tr("Ctrl+H")),
+       .shownAtFirst = false,
+       .makePanel = [&page] { return makeHistory(page); }},
+      {.id = "info",
+       .title = tr("&Info"),
+       .shortcut = QKeySequence(tr("Ctrl+I")),
+       .shownAtFirst = false,
+       .makePanel = [&page] { return makeInfo(page); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),
        .area = Qt::BottomDockWidgetArea,

@@ -8,12 +8,16 @@
 
 namespace cutis {
 
+class CommandPalette;
 class OpenController;
+class ShortcutSheet;
 
 struct Editor {
   QWidget& window;
   DocumentTabs& tabs;
   OpenController& open;
+  CommandPalette& palette;
+  ShortcutSheet& shortcuts;
 
   // The one that is looked at when a command runs.
   DocumentPage& page() const { return tabs.current(); }

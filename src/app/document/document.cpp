@@ -9,6 +9,7 @@
 #include "core/skin/parameter_buffer.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
+#include "src/app/project/manifest.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"
 
@@ -45,35 +46,38 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
   // Cancelled by the user: a fit that is replaced or has failed is no longer under way here.
   connect(&jobs, &JobRunner::finished, this, [this](JobId job) {
     if (job == fitting_ && !fitted_) backToLastFit();
+    if (job == saving_) {
+      saving_ = 0;
+      saveNext_.clear();
+      Q_EMIT notSaved();
+    }
   });
 }
 
-// The same photographs whatever they are fitted with.
 void Document::openSample() {
-  const SourceReader paint = [this](const SkinModel& model,
-                                    const JobContext& context) -> Result<Source> {
-    CUTIS_TRY(painted, engine_.model(kDefaultProfile, {}));
-    CUTIS_TRY(sample, cutis::openSample(*painted, store_, context));
-    return sourceForModel(sample, model);
-  };
-  startOpening(tr("Sample face patch"), {},
-               [this, paint, choice = usualFit_](const JobContext& context) {
-                 return openedSource({}, choice, paint, context);
-               });
+  startOpening(tr("Sample face patch"), {}, [this, choice = usualFit_](const JobContext& context) {
+    return openedSource({}, choice, context);
+  });
 }
 
 void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
-  const SourceReader read = [this, path, options = choice.source](const SkinModel& model,
-                                                                  const JobContext& context) {
-    return openSource(path, options, model, store_, context);
-  };
-  startOpening(QString::fromStdString(path.filename().string()), path,
-               [this, path, read, fit = usualFit_, chooseExposure = choice.chooseExposure](
-                   const JobContext& context) -> Result<Opened> {
-                 if (!looksLikeCapture(path) && isMapsFile(path)) return openedMaps(path, context);
-                 CUTIS_TRY(opened, openedSource({path}, fit, read, context));
-                 opened.chooseExposure = chooseExposure;
-                 return std::move(opened);
+  const QString name = QString::fromStdString(path.filename().string());
+  if (isProjectFile(path)) return openProject(std::filesystem::absolute(path).lexically_normal());
+  const ProjectSource source = {SourceKind::image,
+                                std::filesystem::absolute(path).lexically_normal(),
+                                choice.source,
+                                choice.chooseExposure,
+                                {}};
+  startOpening(name, path,
+               [this, source, fit = usualFit_](const JobContext& context) -> Result<Opened> {
+                 ProjectSource found = source;
+                 if (looksLikeCapture(source.path)) {
+                   found.kind = SourceKind::capture;
+                 } else if (isMapsFile(source.path)) {
+                   found.kind = SourceKind::maps;
+                   return openedMaps(found, context);
+                 }
+                 return openedSource(found, fit, context);
                });
 }
 
@@ -87,6 +91,7 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
 
 void Document::startOpening(const QString& name, const std::filesystem::path& path, Opener open) {
   jobs_.cancel(opening_);
+  Q_EMIT openingStarted();
   opening_ = jobs_.start(
       tr("Open %1").arg(name), [this, path, open = std::move(open)](const JobRunner::Handle& job) {
         auto opened = open(contextOf(job));
@@ -96,28 +101,28 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
             Q_EMIT failed(sentence);
           });
         } else if (opened) {
-          job.post([this, result = opened.value()] { take(result); });
+          job.post([this, result = opened.value()] { takeOrReport(result); });
         }
       });
 }
 
-Result<Document::Opened> Document::openedSource(std::vector<std::filesystem::path> files,
-                                                const FitChoice& choice, const SourceReader& read,
+Result<Document::Opened> Document::openedSource(ProjectSource source, const FitChoice& choice,
                                                 const JobContext& context) {
-  CUTIS_TRY(model, engine_.model(choice.profile, {}));
-  CUTIS_TRY(source, read(*model, context.child(0.0, 1.0, "reading")));
+  CUTIS_TRY(read, openSourceOf(source, choice.profile, engine_, store_,
+                               context.child(0.0, 1.0, "reading")));
   Opened opened;
-  opened.choice = choice;
-  opened.name = QString::fromStdString(source.name);
-  opened.files = std::move(files);
-  opened.scene.model = model;
-  opened.scene.source = std::make_shared<const Source>(std::move(source));
-  opened.scene.maps = FitPlanes(opened.scene.source->measurements, {}, store_).maps;
+  opened.name = QString::fromStdString(read.source->name);
+  opened.project.source = std::move(source);
+  opened.project.fit = choice;
+  opened.scene.model = read.model;
+  opened.scene.source = read.source;
+  opened.scene.maps = FitPlanes(read.source->measurements, {}, store_).maps;
   return opened;
 }
 
-Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
-                                              const JobContext& context) {
+Result<Document::Opened> Document::openedMaps(ProjectSource source, const JobContext& context) {
+  const std::filesystem::path path = source.path;
+  source.files = listSourceFiles(path, {});
   CUTIS_TRY(file, readMaps(path, PixelFormat::float32, store_, context.child(0.0, 0.5, "reading")));
   const MapsAttributes& attributes = file.attributes;
   CUTIS_TRY(model, attributes.profileJson.empty()
@@ -126,14 +131,15 @@ Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
   CUTIS_CHECK(checkCoefficients(file.maps, model->profile(), path.string()));
   Opened opened;
   opened.name = QString::fromStdString(path.filename().string());
-  opened.files = {path};
+  opened.isFitted = true;
+  opened.project.source = std::move(source);
   opened.scene.model = model;
   opened.scene.maps = file.maps;
-  opened.choice = {model->profile().name, FitMethod::refined, false};
+  opened.project.fit = {model->profile().name, FitMethod::refined, false};
   if (const auto method = fitMethodNamed(attributes.method, {})) {
-    opened.choice.method = method.value();
+    opened.project.fit.method = method.value();
   }
-  opened.choice.shading = !file.shading.empty();
+  opened.project.fit.shading = !file.shading.empty();
   if (file.maps.free().count() == 0) return opened;
   CUTIS_TRY(spectra,
             SkinSpectra::make(model, file.maps.perPixel(), context.child(0.5, 1.0, "spectra")));
@@ -144,18 +150,21 @@ Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
 void Document::take(const Opened& opened) {
   cancelFit();
   scene_ = opened.scene;
-  choice_ = opened.choice;
-  chooseExposure_ = opened.chooseExposure;
+  choice_ = opened.project.fit;
   name_ = opened.name;
-  sourceFiles_ = opened.files;
   fitted_ = false;
   statistics_ = {};
   lastFit_.reset();
-  history_ = {};
+  takeProject(opened);
+  scene_->edits = history_.current().edits;
+  if (opened.isFitted) {
+    fitted_ = true;
+    lastFit_ = {choice_, *scene_, {}};
+  }
   Q_EMIT this->opened();
+  Q_EMIT modifiedChanged();
   Q_EMIT fitChoiceChanged();
-  if (canFit()) return startFit();
-  fitted_ = true;
+  if (!opened.isFitted) return startFit();
   Q_EMIT fitted();
 }
 
@@ -182,11 +191,13 @@ void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network,
 void Document::startFit() {
   cancelFit();
   fitted_ = false;
-  fitting_ =
-      jobs_.start(tr("Fit %1").arg(name_),
-                  [this, choice = choice_, chooseExposure = chooseExposure_, scene = *scene_](
-                      const JobRunner::Handle& job) { fit(choice, chooseExposure, scene, job); });
+  state_.maps.clear();
+  fitting_ = jobs_.start(
+      tr("Fit %1").arg(name_),
+      [this, choice = choice_, chooseExposure = state_.source.chooseExposure,
+       scene = *scene_](const JobRunner::Handle& job) { fit(choice, chooseExposure, scene, job); });
   Q_EMIT fitChoiceChanged();
+  Q_EMIT modifiedChanged();
 }
 
 void Document::cancelFit() {
@@ -211,8 +222,9 @@ void Document::fit(const FitChoice& choice, bool chooseExposure, Scene scene,
         return Cancelled{};
       }
     }
-    return fitSource(model, scene.source, {fitOptions(choice), chooseExposure}, engine_, store_,
-                     context, observerOf(scene, job));
+    CUTIS_TRY(options, fitOptions(choice, model->profile()));
+    return fitSource(model, scene.source, {options, chooseExposure}, engine_, store_, context,
+                     observerOf(scene, job));
   }();
   if (fitted.failed()) {
     job.post([this, sentence = sentenceOf(fitted.error())] {
@@ -270,12 +282,16 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
 
 void Document::backToLastFit() {
   cancelFit();
-  if (!lastFit_) return;
+  if (!lastFit_) {
+    Q_EMIT fitChoiceChanged();
+    return;
+  }
   choice_ = lastFit_->choice;
   statistics_ = lastFit_->statistics;
   fitted_ = true;
   show(lastFit_->scene);
   Q_EMIT fitChoiceChanged();
+  Q_EMIT modifiedChanged();
 }
 
 void Document::fitWithoutNetwork() {
@@ -312,9 +328,16 @@ void Document::redo() {
   setEdits(false);
 }
 
+void Document::goToStep(std::size_t step) {
+  if (step >= history_.stepCount() || step == history_.position()) return;
+  history_.goTo(step);
+  setEdits(false);
+}
+
 void Document::setEdits(bool moving) {
   scene_->edits = history_.current().edits;
   Q_EMIT editsChanged(moving);
+  Q_EMIT modifiedChanged();
 }
 
 std::optional<ParameterVector> Document::editedParametersAt(int x, int y) const {
@@ -365,6 +388,8 @@ std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const doub
                        !choice_.shading && scene_->maps.free().count() == 0;
   if (!isKnown) return std::nullopt;
   const Measurements& measurements = scene_->source->measurements;
+  const auto options = fitOptions(choice_, scene_->model->profile());
+  if (!options) return std::nullopt;
   std::vector<double> channels;
   for (std::size_t k = 0; k < measurements.channels.size(); ++k) {
     std::array<float, 1> value;
@@ -372,7 +397,7 @@ std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const doub
     channels.push_back(double{value[0]});
   }
   const SpectrumPosterior posterior(*scene_->model, measurements.rig,
-                                    suitedTo(measurements, fitOptions(choice_)));
+                                    suitedTo(measurements, options.value()));
   // While a fit with another profile runs, the maps are still those of the last one.
   if (values.size() != posterior.valueCount()) return std::nullopt;
   return posterior.deviation(channels, values);

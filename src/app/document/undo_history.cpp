@@ -15,14 +15,17 @@ void UndoHistory::push(const QString& name, const QString& mergeGroup, DocumentS
   open_ = true;
 }
 
-void UndoHistory::undo() {
-  --position_;
+void UndoHistory::goTo(std::size_t step) {
+  position_ = step;
   open_ = false;
 }
 
+void UndoHistory::undo() {
+  goTo(position_ - 1);
+}
+
 void UndoHistory::redo() {
-  ++position_;
-  open_ = false;
+  goTo(position_ + 1);
 }
 
 }  // namespace cutis

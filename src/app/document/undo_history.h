@@ -3,6 +3,7 @@
 // Undo by snapshots of a small state. Commands of one merge group that follow each other are one
 // step, which bears the name of the last: a drag of a slider is undone at once.
 
+#include <utility>
 #include <vector>
 
 #include <QString>
@@ -18,6 +19,11 @@ struct DocumentState {
 
 class UndoHistory {
  public:
+  UndoHistory() : UndoHistory(DocumentState()) {}
+  explicit UndoHistory(DocumentState beginning) {
+    steps_.push_back({{}, {}, std::move(beginning)});
+  }
+
   // Replaces the current state. mergeGroup: empty never merges.
   void push(const QString& name, const QString& mergeGroup, DocumentState state);
   // The next push starts a step of its own, whatever its group (a drag has ended).
@@ -29,8 +35,13 @@ class UndoHistory {
   // Names of what would be undone and redone.
   QString undoName() const { return canUndo() ? steps_[position_].name : QString(); }
   QString redoName() const { return canRedo() ? steps_[position_ + 1].name : QString(); }
-  void undo();  // precondition: canUndo()
-  void redo();  // precondition: canRedo()
+  // All steps in order; the first, without a name, is the state at the beginning.
+  std::size_t stepCount() const { return steps_.size(); }
+  std::size_t position() const { return position_; }  // of the current one
+  const QString& stepName(std::size_t step) const { return steps_[step].name; }
+  void goTo(std::size_t step);  // precondition: step < stepCount()
+  void undo();                  // precondition: canUndo()
+  void redo();                  // precondition: canRedo()
 
  private:
   struct Step {
@@ -38,7 +49,7 @@ class UndoHistory {
     QString group;
     DocumentState state;
   };
-  std::vector<Step> steps_ = {Step()};  // the first is the state at the beginning
+  std::vector<Step> steps_;  // the first is the state at the beginning
   std::size_t position_ = 0;
   bool open_ = false;  // the current step may still be merged into
 };

@@ -28,9 +28,9 @@ void dropEstimates(MapsFile& file, const JobContext& context) {
 }
 
 Status runEditCommand(const EditCommand& command, Session& session) {
-  CUTIS_TRY(edit, parseEdit(command.edit));
+  CUTIS_TRY(edits, parseEditOptions(command.edit, session.context.notice));
   const ExportTarget target = {.path = command.output,
-                               .inputs = {command.edit.mask, command.profile},
+                               .inputs = {command.edit.mask, command.edit.preset, command.profile},
                                .sources = {command.maps}};
   CUTIS_CHECK(checkMapsTarget(target));
   const JobContext& context = session.context;
@@ -39,9 +39,9 @@ Status runEditCommand(const EditCommand& command, Session& session) {
   MapsFile& file = opened.file;
   CUTIS_CHECK(loadEditMask(command.edit,
                            {file.maps.width(), file.maps.height(), "'" + command.maps + "'"},
-                           session.store, context.child(0.4, 0.45), edit));
-  if (!edit.isNeutral()) {
-    CUTIS_TRY(edited, editMaps({opened.model, file.maps, {edit}}, session.store,
+                           session.store, context.child(0.4, 0.45), edits));
+  if (!isNeutral(edits)) {
+    CUTIS_TRY(edited, editMaps({opened.model, file.maps, edits}, session.store,
                                context.child(0.45, 0.6, "editing")));
     file.maps = std::move(edited);
     dropEstimates(file, context);

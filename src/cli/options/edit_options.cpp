@@ -6,11 +6,10 @@
 #include "core/base/echoed_text.h"
 #include "src/cli/options/add_option.h"
 #include "src/cli/options/option_values.h"
+#include "src/files/edits/edits_file.h"
 
 namespace cutis {
 namespace {
-
-constexpr double kMostScale = 1000.0;
 
 Status parseScale(const char* option, const std::string& text, ParameterEdit& edit) {
   if (text.empty()) return {};
@@ -63,6 +62,19 @@ Status parseSettings(const EditOptions& options, Edit& edit) {
   return {};
 }
 
+Result<Edit> parseEdit(const EditOptions& options) {
+  if (!options.haemoglobin.empty() &&
+      !(options.haemoglobinDermal.empty() && options.haemoglobinEpidermal.empty())) {
+    return usageError("--haemoglobin",
+                      "this sets both layers; give either this or the single layers");
+  }
+  Edit edit;
+  CUTIS_CHECK(parseScales(options, edit));
+  CUTIS_CHECK(parseAdditions(options, edit));
+  CUTIS_CHECK(parseSettings(options, edit));
+  return edit;
+}
+
 }  // namespace
 
 void addEditOptions(CLI::App& command, EditOptions& options) {
@@ -85,31 +97,30 @@ void addEditOptions(CLI::App& command, EditOptions& options) {
            "haemoglobin_epidermal are volume fractions, melanin_blend is a share from 0 to 1, "
            "carotene is in g/L; may be repeated");
   assigned("--set", options.set, "Set a parameter to V, in its unit; may be repeated");
+  addOption(command, "--preset", options.preset, "FILE",
+            "Edits that were saved (JSON); those of the other options come after them")
+      ->group("Edit");
   addOption(command, "--mask", options.mask, "FILE",
             "Image of the maps' size: 0 keeps the original, 1 edits, between blends; its alpha "
             "counts where there is a shape in it, else its luminance (default: edit everywhere)")
       ->group("Edit");
 }
 
-Result<Edit> parseEdit(const EditOptions& options) {
-  if (!options.haemoglobin.empty() &&
-      !(options.haemoglobinDermal.empty() && options.haemoglobinEpidermal.empty())) {
-    return usageError("--haemoglobin",
-                      "this sets both layers; give either this or the single layers");
-  }
-  Edit edit;
-  CUTIS_CHECK(parseScales(options, edit));
-  CUTIS_CHECK(parseAdditions(options, edit));
-  CUTIS_CHECK(parseSettings(options, edit));
-  return edit;
+Result<EditStack> parseEditOptions(const EditOptions& options, const Notice& notice) {
+  CUTIS_TRY(edit, parseEdit(options));
+  if (options.preset.empty()) return EditStack{edit};
+  CUTIS_TRY(edits, readEditsFile(options.preset, notice));
+  edits.push_back(edit);
+  return edits;
 }
 
 Status loadEditMask(const EditOptions& options, const MaskedPicture& picture,
                     const std::shared_ptr<TileStore>& store, const JobContext& context,
-                    Edit& edit) {
+                    EditStack& edits) {
   if (options.mask.empty()) return {};
   CUTIS_TRY(mask, readMask(options.mask, picture, store, context));
-  edit.mask = mask;
+  for (Edit& edit : edits)
+    edit.mask = mask;
   return {};
 }
 

@@ -26,15 +26,18 @@ struct EditOptions {
   std::vector<std::string> add;
   std::vector<std::string> set;
   std::string mask;
+  std::string preset;
 };
 
 void addEditOptions(CLI::App& command, EditOptions& options);
 
-// The parameters of the edit; its mask is still empty.
-Result<Edit> parseEdit(const EditOptions& options);
+// The edits of the preset, if one is named, and that of the other options after them; their masks
+// are still empty.
+Result<EditStack> parseEditOptions(const EditOptions& options, const Notice& notice);
 
-// Reads the mask, if one is named.
+// Reads the mask, if one is named, which bounds all of the edits.
 Status loadEditMask(const EditOptions& options, const MaskedPicture& picture,
-                    const std::shared_ptr<TileStore>& store, const JobContext& context, Edit& edit);
+                    const std::shared_ptr<TileStore>& store, const JobContext& context,
+                    EditStack& edits);
 
 }  // namespace cutis

@@ -78,6 +78,9 @@ bool JsonValue::isArray() const {
 bool JsonValue::has(const std::string& key) const {
   return find(key) != nullptr;
 }
+bool JsonValue::isNull(const std::string& key) const {
+  return has(key) && find(key)->is_null();
+}
 
 std::vector<std::string> JsonValue::keys() const {
   std::vector<std::string> names;
@@ -85,6 +88,14 @@ std::vector<std::string> JsonValue::keys() const {
     names.push_back(key);
   }
   return names;
+}
+
+std::vector<std::string> JsonValue::unknownFields(std::span<const std::string_view> known) const {
+  std::vector<std::string> unknown;
+  for (const std::string& key : keys()) {
+    if (std::find(known.begin(), known.end(), key) == known.end()) unknown.push_back(pathOf(key));
+  }
+  return unknown;
 }
 
 std::vector<std::string> JsonValue::texts() const {
@@ -194,12 +205,16 @@ Result<std::string> JsonValue::text(const std::string& key, const std::string& f
 }
 
 Status JsonValue::allowOnly(std::span<const std::string_view> keys) const {
-  for (const auto& [key, value] : node_->items()) {
-    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-    return inputError(
-        file_, "unknown field " + inQuotes(pathOf(key)) + "; known here: " + wordList(keys, ", "));
-  }
-  return {};
+  const std::vector<std::string> unknown = unknownFields(keys);
+  if (unknown.empty()) return {};
+  return inputError(file_, "unknown field " + inQuotes(unknown.front()) +
+                               "; known here: " + wordList(keys, ", "));
+}
+
+void JsonValue::sayUnknown(std::span<const std::string_view> keys, const Notice& notice) const {
+  if (!notice) return;
+  for (const std::string& field : unknownFields(keys))
+    notice(file_ + ": " + inQuotes(field) + " means nothing to this version and is passed over");
 }
 
 Result<JsonValue> parseJson(std::string_view text, const std::string& place) {

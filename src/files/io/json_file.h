@@ -14,6 +14,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/base/job_context.h"
 #include "core/base/result.h"
 
 namespace cutis {
@@ -26,6 +27,7 @@ class JsonValue {
   bool isObject() const;
   bool isArray() const;
   bool has(const std::string& key) const;
+  bool isNull(const std::string& key) const;  // there, and null
   // Names of all fields, sorted.
   std::vector<std::string> keys() const;
   // Every text in it, however deep; names of fields are left out.
@@ -53,6 +55,11 @@ class JsonValue {
     return allowOnly(std::span(keys.begin(), keys.size()));
   }
   Status allowOnly(std::span<const std::string_view> keys) const;
+  // For files that later versions may say more in: notes each field of another name.
+  void sayUnknown(std::initializer_list<std::string_view> keys, const Notice& notice) const {
+    sayUnknown(std::span(keys.begin(), keys.size()), notice);
+  }
+  void sayUnknown(std::span<const std::string_view> keys, const Notice& notice) const;
 
   // "file: field.inner must be …"
   Error error(const std::string& demand) const;
@@ -66,6 +73,8 @@ class JsonValue {
   JsonValue child(const nlohmann::json& node, const std::string& path) const;
   std::string pathOf(const std::string& key) const;
   const nlohmann::json* find(const std::string& key) const;
+  // Paths of the fields of other names, sorted: "lights[1].colour".
+  std::vector<std::string> unknownFields(std::span<const std::string_view> known) const;
 
   std::shared_ptr<const nlohmann::json> root_;
   const nlohmann::json* node_;

@@ -20,10 +20,15 @@ bool createPrivateFile(const std::filesystem::path& path);
 // be kept, it may do no more than everybody.
 void keepAttributes(const std::filesystem::path& from, const std::filesystem::path& to);
 unsigned long processId();
+bool isProcessAlive(unsigned long id);
 
 // Folder for what can be computed again: $XDG_CACHE_HOME/cutis or ~/.cache/cutis. Not created.
 // Empty if the system names none.
 std::filesystem::path cacheFolder();
+
+// Folder for what a crash must not take: $XDG_STATE_HOME/cutis or ~/.local/state/cutis. Not
+// created. Empty if the system names none.
+std::filesystem::path stateFolder();
 
 // Largest memory this process ever held, or since restartPeakMemory(); 0 if the system does not
 // say.

@@ -1,3 +1,5 @@
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
@@ -27,6 +29,17 @@ std::size_t statusBytes(const std::string& name) {
     if (line.starts_with(name)) return std::strtoull(line.c_str() + name.size(), nullptr, 10) << 10;
   }
   return 0;
+}
+
+// The program's folder in the one that the variable names, or else in that place below the home.
+std::filesystem::path userFolder(const char* variable, const char* belowHome) {
+  if (const char* folder = std::getenv(variable); folder != nullptr && *folder == '/') {
+    return std::filesystem::path(folder) / "cutis";
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
+    return std::filesystem::path(home) / belowHome / "cutis";
+  }
+  return {};
 }
 
 #if defined(__linux__)
@@ -106,14 +119,16 @@ unsigned long processId() {
   return static_cast<unsigned long>(::getpid());
 }
 
+bool isProcessAlive(unsigned long id) {
+  return ::kill(static_cast<pid_t>(id), 0) == 0 || errno == EPERM;
+}
+
 std::filesystem::path cacheFolder() {
-  if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder != nullptr && *folder == '/') {
-    return std::filesystem::path(folder) / "cutis";
-  }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') {
-    return std::filesystem::path(home) / ".cache" / "cutis";
-  }
-  return {};
+  return userFolder("XDG_CACHE_HOME", ".cache");
+}
+
+std::filesystem::path stateFolder() {
+  return userFolder("XDG_STATE_HOME", ".local/state");
 }
 
 std::optional<std::size_t> restartPeakMemory() {

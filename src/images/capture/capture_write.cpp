@@ -2,11 +2,9 @@
 #include <cctype>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "src/files/io/atomic_write.h"
 #include "src/files/io/temporary_path.h"
-#include "src/files/rig_file.h"
+#include "src/images/capture/capture_description.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/capture/capture_manifest.h"
 #include "src/images/image_file.h"
@@ -47,27 +45,15 @@ std::vector<std::string> fileNames(const Rig& rig, SampleType type) {
   return names;
 }
 
-// What capture.json says; a file is named from where the capture will be.
-std::string rigReference(const std::string& rig, const Rig& measured, const fs::path& folder) {
-  const std::string name = rig.empty() ? measured.name : rig;
-  const std::vector<std::string> builtIn = rigNames();
-  if (rig.empty() || std::find(builtIn.begin(), builtIn.end(), name) != builtIn.end()) return name;
-  return fs::absolute(rig).lexically_normal().lexically_proximate(folder).generic_string();
-}
-
 std::string manifestText(const Measurements& measurements, const CaptureWriteOptions& options,
                          const std::vector<std::string>& files, const fs::path& folder) {
-  nlohmann::ordered_json root;
-  root["cutis_capture"] = kFirstCaptureVersion;
-  root["rig"] = rigReference(options.rig, measurements.rig, folder);
-  root["encoding"] = "linear";
-  root["images"] = nlohmann::ordered_json::array();
-  for (std::size_t k = 0; k < files.size(); ++k) {
-    root["images"].push_back({{"light", measurements.rig.lights[k].name}, {"file", files[k]}});
-  }
-  if (!options.mask.empty()) root["mask"] = kMaskFile;
-  if (measurements.isSimulated) root["simulated"] = true;
-  return root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  CaptureDescription description;
+  description.rig = options.rig.empty() ? measurements.rig.name : rigReference(options.rig, folder);
+  for (std::size_t k = 0; k < files.size(); ++k)
+    description.photographs.push_back({measurements.rig.lights[k].name, files[k]});
+  if (!options.mask.empty()) description.mask = kMaskFile;
+  description.isSimulated = measurements.isSimulated;
+  return captureText(description, folder);
 }
 
 ImageContent photographOf(const Measurements& measurements, std::size_t light,

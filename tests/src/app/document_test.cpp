@@ -193,6 +193,29 @@ class DocumentTest : public QObject {
     QCOMPARE(changed.count(), 4);
   }
 
+  // And what comes after it is a step of its own, in place of what was undone.
+  void aStepOfTheHistoryIsReachedAtOnce() {
+    for (const double factor : {1.2, 1.4, 1.6}) {
+      document_.apply(scaleMelanin(factor));
+      document_.endGroup();
+    }
+    const UndoHistory& history = document_.history();
+    const std::size_t newest = history.position();
+    QCOMPARE(history.stepCount(), newest + 1);
+    document_.goToStep(newest - 2);
+    QCOMPARE(document_.scene().edits.front().parameters[kMelanin].scale, 1.2);
+    document_.goToStep(newest);
+    QCOMPARE(document_.scene().edits.front().parameters[kMelanin].scale, 1.6);
+    QSignalSpy changed(&document_, &Document::editsChanged);
+    document_.goToStep(newest);
+    document_.goToStep(newest + 5);
+    QCOMPARE(changed.count(), 0);
+    document_.goToStep(newest - 1);
+    document_.apply(scaleMelanin(3.0));
+    QCOMPARE(history.stepCount(), newest + 1);
+    QVERIFY(!history.canRedo());
+  }
+
   // Whether a file is maps is found out in the background, as the rest of it is read.
   void openingReadsNothingOnTheInterfaceThread() {
     const test::ScratchFolder folder;

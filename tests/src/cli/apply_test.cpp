@@ -108,6 +108,30 @@ class ApplyTest : public QObject {
     }
   }
 
+  // The preset comes first, the options' edit after it, the mask bounds both.
+  void presetIsEditedBeforeTheOptions() {
+    run_.write("tan.json", R"({"cutis_edits": 1, "edits": [{"name": "Tan",
+        "melanin": {"mode": "scale", "value": 3}, "carotene": {"mode": "set", "value": 0.001}}]})");
+    EXPECT_DONE(run_.run("apply skin.exr --maps maps.exr -o a.exr --mask mask.png --melanin 3 "
+                         "--set carotene=0.001"));
+    EXPECT_DONE(
+        run_.run("apply skin.exr --maps maps.exr -o b.exr --mask mask.png --preset tan.json"));
+    QCOMPARE(run_.read("b.exr"), run_.read("a.exr"));
+    EXPECT_DONE(run_.run("edit maps.exr -o twice.exr --preset tan.json --add melanin=0.001"));
+    EXPECT_DONE(run_.run("edit maps.exr -o once.exr --preset tan.json"));
+    const std::vector<float> once = valuesOf(run_.maps("once.exr").maps.values[kMelanin]);
+    const std::vector<float> twice = valuesOf(run_.maps("twice.exr").maps.values[kMelanin]);
+    EXPECT_NEAR(twice.front() - once.front(), 0.001, 1e-6);
+  }
+
+  void presetOfALaterVersionIsRefused() {
+    run_.write("later.json", R"({"cutis_edits": 2, "edits": []})");
+    const Outcome outcome = run_.run("edit maps.exr -o out.exr --preset later.json");
+    QCOMPARE(outcome.status, 3);
+    QVERIFY2(outcome.errors.find("later.json: cutis_edits is 2") != std::string::npos,
+             outcome.errors.c_str());
+  }
+
   void pureIsTheModelInTheSourcesExposure() {
     EXPECT_DONE(run_.run("apply skin.exr --maps maps.exr -o pure.exr --pure"));
     const std::vector<float> before = valuesOf(run_.image("skin.exr").channels[1]);
