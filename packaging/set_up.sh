@@ -7,7 +7,8 @@ cutis_program="${0##*/}"
 cd "$cutis_root" || exit 1
 
 # Debian 12 names. openimageio-tools also draws the contact sheet of start.sh, with DejaVu; a test
-# holds the layout of the sources against clang-format.
+# holds the layout of the sources against clang-format. dpkg-dev and file make the packages; the last
+# line is for a test of what they install.
 cutis_packages=(
   g++ cmake ninja-build pkg-config ccache
   qt6-base-dev qt6-svg-dev
@@ -16,6 +17,8 @@ cutis_packages=(
   libeigen3-dev libtbb-dev libhwy-dev libcli11-dev nlohmann-json3-dev libxxhash-dev
   libimath-dev zlib1g-dev libbenchmark-dev clang-format
   xvfb fonts-dejavu-core
+  dpkg-dev file
+  desktop-file-utils shared-mime-info libglib2.0-bin
 )
 
 step() { printf '\n== %s\n' "$*"; }

@@ -37,8 +37,8 @@ std::size_t peakMemoryBytes();
 // which is returned; nothing if the system cannot.
 std::optional<std::size_t> restartPeakMemory();
 
-// A function of a loadable part of the program, which lies in the folder of the program; null if it
-// is not there. The part stays loaded.
+// A function of a loadable part of the program, which lies beside the program, or in
+// ../lib/cutis/modules where it is installed; null if it is not there. The part stays loaded.
 void* moduleSymbol(const std::string& module, const char* symbol);
 
 // Model name of the processor; may be empty.

@@ -156,10 +156,14 @@ void* moduleSymbol(const std::string& module, const char* symbol) {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (error) return nullptr;
-  const auto file = program.parent_path() / (module + ".so");
-  // Never closed: what it started, such as threads of a library, may outlive the call.
-  void* opened = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  return opened == nullptr ? nullptr : ::dlsym(opened, symbol);
+  const auto beside = program.parent_path();
+  for (const auto& folder : {beside, beside.parent_path() / "lib" / "cutis" / "modules"}) {
+    const auto file = folder / (module + ".so");
+    // Never closed: what it started, such as threads of a library, may outlive the call.
+    void* opened = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (opened != nullptr) return ::dlsym(opened, symbol);
+  }
+  return nullptr;
 }
 
 std::string processorName() {
