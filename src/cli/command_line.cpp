@@ -17,8 +17,8 @@ struct LaterOption {
   std::string_view command;
   std::string_view option;
 };
-constexpr std::array<LaterOption, 4> kLaterOptions = {
-    {{"fit", "--frames"}, {"edit", "--preset"}, {"apply", "--preset"}, {"render", "--scatter"}}};
+constexpr std::array<LaterOption, 2> kLaterOptions = {
+    {{"fit", "--frames"}, {"render", "--scatter"}}};
 
 std::vector<const CLI::App*> commandsOf(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App*) { return true; });

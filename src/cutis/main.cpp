@@ -14,6 +14,7 @@
 #include "core/base/instruction_set.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/fit_choice.h"
+#include "src/app/project/journal.h"
 #include "src/files/io/error_stream.h"
 #include "src/files/io/interruption.h"
 #include "src/files/io/last_words.h"
@@ -23,7 +24,9 @@
 #include "ui/theme/theme.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/main_window.h"
+#include "ui/window/private_data.h"
 #include "ui/window/script.h"
+#include "ui/window/window_icon.h"
 
 namespace {
 
@@ -134,6 +137,8 @@ int runEditor(QApplication& application, const Arguments& arguments) {
     window.resize(kPictureSize);
   }
   window.show();
+  // A picture of the window shows nothing of what was there before.
+  if (arguments.screenshot.isEmpty()) window.keepJournals(cutis::journalFolder());
   if (arguments.sample) window.opener().openSample();
   if (!arguments.files.isEmpty()) window.opener().openAll(arguments.files);
   std::unique_ptr<Automaton> automaton;
@@ -176,8 +181,8 @@ int main(int argc, char** argv) {
   parser.setApplicationDescription(QObject::tr("Editor for human skin."));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument("FILE", QObject::tr("A capture, an albedo texture or maps."),
-                               "[FILE...]");
+  parser.addPositionalArgument(
+      "FILE", QObject::tr("A capture, an albedo texture, maps or a project."), "[FILE...]");
   const QCommandLineOption sample("sample", QObject::tr("Open the embedded sample."));
   const QCommandLineOption screenshot(
       "screenshot", QObject::tr("Wait until idle, take a picture of the window and quit."), "PNG");
@@ -193,12 +198,21 @@ int main(int argc, char** argv) {
   const QCommandLineOption method(
       "method", QObject::tr("How to fit: refined (default), network, three-stage or full-search."),
       "METHOD");
-  parser.addOptions({sample, profile, method, screenshot, size, script, reset});
+  const QCommandLineOption clear(
+      "clear-private-data",
+      QObject::tr(
+          "Remove journals of unsaved edits, caches and the names of recent files, and quit."));
+  parser.addOptions({sample, profile, method, screenshot, size, script, reset, clear});
   if (!parser.parse(application.arguments())) {
     return fail(kBadUsage, parser.errorText().toStdString() + "; see cutis --help");
   }
   if (parser.isSet("help")) parser.showHelp();
   if (parser.isSet("version")) parser.showVersion();
+
+  if (parser.isSet(clear)) {
+    cutis::clearPrivateData();
+    return 0;
+  }
 
   Arguments arguments;
   arguments.files = parser.positionalArguments();
@@ -225,6 +239,7 @@ int main(int argc, char** argv) {
   arguments.fit = fit.value();
   if (parser.isSet(reset)) QSettings().clear();
   cutis::theme::apply(application);
+  QApplication::setWindowIcon(cutis::windowIcon());
   const auto handled = cutis::onInterrupt(closeOnInterrupt);
   if (handled.failed()) return fail(kNoMemory, handled.error().text());
   return runEditor(application, arguments);

@@ -121,9 +121,10 @@ constexpr Room kRooms[] = {
     {"ui/docks", "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view"},
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},
+    {"ui/edits", "core/* src/files/* src/app/* ui/theme ui/widgets ui/view ui/docks ui/dialogs"},
     {"ui/window",
      "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/commands ui/plot ui/widgets "
-     "ui/view ui/docks ui/dialogs"},
+     "ui/view ui/docks ui/dialogs ui/edits"},
     {"src/cutis", "core/* src/files/* src/images/* src/color src/app/* ui/*"},
 };
 

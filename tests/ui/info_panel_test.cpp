@@ -50,7 +50,8 @@ class InfoPanelTest : public test::UiTest {
     QWidget window;
     auto* exports = new ExportController(document, engine, jobs, progress, &window);
     InfoPanel panel;
-    const InfoController controller(document, server, *exports, panel);
+    InfoController controller(document, server, panel);
+    connect(exports, &ExportController::noticed, &controller, &InfoController::add);
     document.open((folder / "missing.exr").string());
     QTRY_COMPARE(panel.count(), 1);
     QVERIFY(panel.item(0)->text().contains("missing.exr"));

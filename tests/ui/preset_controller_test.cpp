@@ -1,6 +1,6 @@
 // Sets of edits from presets, files and the clipboard, on maps without a fit.
 
-#include "ui/docks/preset_controller.h"
+#include "ui/edits/preset_controller.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -14,7 +14,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
 #include "ui/docks/edit_controller.h"
-#include "ui/docks/preset_catalogue.h"
+#include "ui/edits/preset_catalogue.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"

@@ -1,9 +1,10 @@
 #include "ui/dialogs/export_controller.h"
 
+#include <algorithm>
+
 #include <QFileInfo>
 
 #include "src/app/document/document.h"
-#include "src/app/export/export.h"
 #include "ui/dialogs/file_to_write.h"
 #include "ui/dialogs/format_filters.h"
 #include "ui/widgets/progress_strip.h"
@@ -32,16 +33,38 @@ QString ExportController::objection() const {
   return document_.isFitted() ? QString() : tr("The skin has not been fitted yet");
 }
 
+QString ExportController::mapsObjection() const {
+  if (!document_.isOpen()) return tr("Nothing is open yet");
+  if (document_.scene().source == nullptr) return tr("These maps are a file already");
+  return document_.isFitted() ? QString() : tr("The skin has not been fitted yet");
+}
+
 void ExportController::exportAlbedo(const QString& path) {
   const Scene& scene = document_.scene();
+  write(path, [albedo = EditedAlbedo{scene, scene.source}]() -> Result<Exported> {
+    return Exported(albedo);
+  });
+}
+
+void ExportController::exportMaps(const QString& path) {
+  write(path, [maps = document_.mapsFile()]() -> Result<Exported> {
+    CUTIS_TRY(file, maps());
+    return Exported(file);
+  });
+}
+
+void ExportController::write(const QString& path, const std::function<Result<Exported>()>& what) {
   ExportTarget target = {std::filesystem::path(path.toStdString())};
   for (const std::filesystem::path& file : document_.sourceFiles())
     target.sources.push_back(file.string());
   const QString name = tr("Export %1").arg(QFileInfo(path).fileName());
-  jobs_.start(name, [this, path, name, target,
-                     albedo = EditedAlbedo{scene, scene.source}](const JobRunner::Handle& job) {
-    const auto store = std::make_shared<TileStore>(kMemoryForExport);
-    const ExportOutcome outcome = exportWithNotes(target, albedo, engine_, store, job.context);
+  const auto work = [this, path, name, target, what](const JobRunner::Handle& job) {
+    const auto outcome = [&]() -> ExportOutcome {
+      const auto made = what();
+      if (!made) return {made.failed() ? Status(made.error()) : Status(Cancelled{}), {}};
+      const auto store = std::make_shared<TileStore>(kMemoryForExport);
+      return exportWithNotes(target, made.value(), engine_, store, job.context);
+    }();
     if (outcome.status.cancelled()) return;
     const bool failed = outcome.status.failed();
     QString sentence = failed ? QString::fromStdString(outcome.status.error().text())
@@ -53,7 +76,18 @@ void ExportController::exportAlbedo(const QString& path) {
       progress_.showMessage(sentence, failed, name);
       if (isWorthKeeping) Q_EMIT noticed(sentence, failed);
     });
-  });
+  };
+  exports_.push_back(jobs_.start(name, work));
+}
+
+bool ExportController::isExporting() const {
+  return std::any_of(exports_.begin(), exports_.end(),
+                     [this](JobId job) { return jobs_.isRunning(job); });
+}
+
+void ExportController::stop() {
+  for (const JobId job : exports_)
+    jobs_.cancel(job);
 }
 
 void ExportController::choose() {
@@ -61,6 +95,12 @@ void ExportController::choose() {
       chooseFileToWrite(window_, tr("Export edited albedo"),
                         besideSource(document_, "edited_albedo.exr"), writableImageFilters());
   if (!file.isEmpty()) exportAlbedo(file);
+}
+
+void ExportController::chooseMaps() {
+  const QString file = chooseFileToWrite(
+      window_, tr("Save maps"), besideSource(document_, "maps.exr"), tr("OpenEXR (*.exr)"));
+  if (!file.isEmpty()) exportMaps(file);
 }
 
 }  // namespace cutis

@@ -7,8 +7,10 @@
 #include "src/app/document/document.h"
 #include "src/app/job_runner.h"
 #include "src/app/open/image_inspection.h"
+#include "src/app/project/manifest.h"
 #include "ui/dialogs/capture_controller.h"
 #include "ui/dialogs/format_filters.h"
+#include "ui/dialogs/last_folder.h"
 #include "ui/dialogs/open_as_dialog.h"
 #include "ui/widgets/progress_strip.h"
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr int kMostRecentFiles = 8;
 constexpr char kRecentFiles[] = "recentFiles";
+constexpr char kOpenFolder[] = "open";
 
 }  // namespace
 
@@ -61,23 +64,28 @@ void OpenController::choosePhotographs() {
   captures_->choose();
 }
 
+QString OpenController::chooseFile(const QString& title, const QString& filter) {
+  const QString file = QFileDialog::getOpenFileName(window_, title, lastFolder(kOpenFolder),
+                                                    filter + ";;" + tr("All files (*)"));
+  if (!file.isEmpty()) rememberFolderOf(kOpenFolder, file);
+  return file;
+}
+
 void OpenController::chooseCapture() {
-  const QString file = QFileDialog::getOpenFileName(window_, tr("Open capture"), {},
-                                                    tr("Captures (capture.json);;All files (*)"));
+  const QString file = chooseFile(tr("Open capture"), tr("Captures (capture.json)"));
   if (!file.isEmpty()) open(file);
 }
 
 void OpenController::chooseImage() {
-  const QString file =
-      QFileDialog::getOpenFileName(window_, tr("Open image or maps"), {},
-                                   tr("Images (%1);;All files (*)").arg(readableImagePatterns()));
+  const QString file = chooseFile(
+      tr("Open image, maps or project"),
+      tr("Images, maps and projects (%1 *%2)").arg(readableImagePatterns(), kProjectExtension));
   if (!file.isEmpty()) open(file);
 }
 
 void OpenController::chooseImageAs() {
   const QString file =
-      QFileDialog::getOpenFileName(window_, tr("Open image as"), {},
-                                   tr("Images (%1);;All files (*)").arg(readableImagePatterns()));
+      chooseFile(tr("Open image as"), tr("Images (%1)").arg(readableImagePatterns()));
   if (!file.isEmpty()) openAs(file);
 }
 
@@ -106,13 +114,14 @@ void OpenController::ask(const QString& path, const ImageInspection& image, cons
 }
 
 void OpenController::remember(const Document& document) {
+  std::filesystem::path opened = document.projectPath();
+  if (opened.empty() && !document.sourceFiles().empty()) opened = document.sourceFiles().front();
+  if (opened.empty()) return;
   QSettings settings;
   QStringList files = settings.value(kRecentFiles).toStringList();
-  for (const auto& source : document.sourceFiles()) {
-    const QString file = QFileInfo(QString::fromStdString(source.string())).absoluteFilePath();
-    files.removeAll(file);
-    files.prepend(file);
-  }
+  const QString file = QFileInfo(QString::fromStdString(opened.string())).absoluteFilePath();
+  files.removeAll(file);
+  files.prepend(file);
   settings.setValue(kRecentFiles, files.mid(0, kMostRecentFiles));
 }
 
@@ -122,6 +131,10 @@ QStringList OpenController::recentFiles() const {
     if (QFileInfo::exists(file)) existing << file;
   }
   return existing;
+}
+
+void forgetRecentFiles() {
+  QSettings().remove(kRecentFiles);
 }
 
 }  // namespace cutis

@@ -42,7 +42,7 @@ class OpenController : public QObject {
   // opened otherwise, if a sentence says why: then nobody is asked where no choice would help.
   void openAs(const QString& path, const QString& reason = {});
 
-  // Puts what was opened in front of the recent files.
+  // Puts what was opened or saved in front of the recent files.
   void remember(const Document& document);
   // Absolute paths that are still there, newest first.
   QStringList recentFiles() const;
@@ -53,6 +53,8 @@ class OpenController : public QObject {
   void openAsWanted(const std::filesystem::path& path, const cutis::OpenChoice& choice);
 
  private:
+  // Empty if the user cancels.
+  QString chooseFile(const QString& title, const QString& filter);
   void ask(const QString& path, const ImageInspection& image, const QString& reason);
 
   JobRunner& jobs_;
@@ -60,5 +62,8 @@ class OpenController : public QObject {
   QWidget* window_;
   CaptureController* captures_;
 };
+
+// The names of files that were opened are kept no longer.
+void forgetRecentFiles();
 
 }  // namespace cutis

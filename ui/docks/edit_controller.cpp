@@ -1,14 +1,15 @@
 #include "ui/docks/edit_controller.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include <QScopedValueRollback>
 
 #include "ui/docks/edit_panel.h"
-#include "ui/docks/preset_controller.h"
 #include "ui/view/view_controller.h"
 #include "ui/widgets/parameter_texts.h"
+#include "ui/widgets/slider_scale.h"
 
 namespace cutis {
 namespace {
@@ -23,6 +24,16 @@ QString mergeGroupOf(int parameter) {
 }
 
 }  // namespace
+
+bool slidersShow(const EditStack& edits) {
+  const SliderScale scale;
+  if (edits.empty()) return true;
+  const Edit& edit = edits.front();
+  return edits.size() == 1 && edit.enabled && edit.opacity == 1.0 && edit.mask.empty() &&
+         std::all_of(edit.parameters.begin(), edit.parameters.end(), [&](const ParameterEdit& p) {
+           return p.add == 0.0 && !p.set && p.scale >= scale.minimum && p.scale <= scale.maximum;
+         });
+}
 
 EditController::EditController(Document& document, ViewController& views, QObject* parent)
     : QObject(parent), document_(document), views_(views) {

@@ -46,4 +46,8 @@ class EditController : public QObject {
   bool applying_ = false;  // the change comes from the panel, which shows it already
 };
 
+// Whether the sliders of the edit panel show all of it: one factor for each parameter within their
+// scale, in one edit of the whole picture.
+bool slidersShow(const EditStack& edits);
+
 }  // namespace cutis

@@ -21,6 +21,7 @@ FitPanel::FitPanel(QWidget* parent)
       method_(new QComboBox(this)),
       shading_(new QCheckBox(tr("Estimate shading"), this)),
       fit_(new QPushButton(tr("Fit"), this)),
+      options_(new QPushButton(tr("Options…"), this)),
       offer_(new QWidget(this)) {
   setAccessibleName(tr("Fit"));
   profile_->setAccessibleName(tr("Profile"));
@@ -42,6 +43,7 @@ FitPanel::FitPanel(QWidget* parent)
   connect(fit_, &QPushButton::clicked, this, &FitPanel::fitWanted);
   fit_->setToolTip(tr("The fit was cancelled; do it now"));
   setFitOffered(false);
+  connect(options_, &QPushButton::clicked, this, &FitPanel::optionsWanted);
   show({}, Subject::photographs);
 }
 
@@ -62,7 +64,12 @@ void FitPanel::addForm() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kSpace);
   column->addLayout(form);
-  column->addWidget(shading_);
+  auto* foot = new QHBoxLayout;
+  foot->setSpacing(theme::kSpace);
+  foot->addWidget(shading_);
+  foot->addStretch(1);
+  foot->addWidget(options_);
+  column->addLayout(foot);
   column->addWidget(fit_);
   column->addWidget(offer_);
 }
@@ -88,15 +95,20 @@ void FitPanel::offerProfile(const QString& profile) {
 }
 
 FitChoice FitPanel::choice() const {
-  return {profile_->currentData().toString().toStdString(),
-          static_cast<FitMethod>(method_->currentData().toInt()), shading_->isChecked()};
+  FitChoice choice = shown_;
+  choice.profile = profile_->currentData().toString().toStdString();
+  choice.method = static_cast<FitMethod>(method_->currentData().toInt());
+  choice.shading = shading_->isChecked();
+  return choice;
 }
 
 void FitPanel::show(const FitChoice& choice, Subject subject) {
+  shown_ = choice;
   showProfile(QString::fromStdString(choice.profile), subject);
   showMethod(choice);
+  showOptions(choice);
   showShading(choice, subject);
-  const QList<QWidget*> controls = {profile_, load_, method_};
+  const QList<QWidget*> controls = {profile_, load_, method_, options_};
   const bool fits = subject != Subject::maps;
   for (QWidget* control : controls)
     control->setEnabled(fits);
@@ -128,10 +140,13 @@ void FitPanel::showMethod(const FitChoice& choice) {
   auto* items = qobject_cast<QStandardItemModel*>(method_->model());
   for (int row = 0; row < method_->count(); ++row) {
     const MethodDescription& method = methodCatalogue()[static_cast<std::size_t>(row)];
-    const bool can = !choice.shading || method.method == FitMethod::refined;
+    const bool isRefined = method.method == FitMethod::refined;
+    const bool can = isRefined || (!choice.shading && !choice.hasRefinements());
     items->item(row)->setEnabled(can);
-    items->item(row)->setToolTip(can ? method.toolTip
-                                     : tr("Cannot estimate shading; switch that off first"));
+    items->item(row)->setToolTip(
+        can              ? method.toolTip
+        : choice.shading ? tr("Cannot estimate shading; switch that off first")
+                         : tr("Knows none of the options that are set; reset them first"));
   }
   method_->setCurrentIndex(method_->findData(static_cast<int>(choice.method)));
   method_->setToolTip(method_->currentData(Qt::ToolTipRole).toString());
@@ -153,6 +168,11 @@ void FitPanel::showShading(const FitChoice& choice, Subject subject) {
 
 void FitPanel::setFitOffered(bool offered) {
   fit_->setVisible(offered);
+}
+
+void FitPanel::showOptions(const FitChoice& choice) {
+  options_->setText(choice.hasRefinements() ? tr("Options (set)…") : tr("Options…"));
+  options_->setToolTip(tr("Noise, prior, parameters that are held, constants found per pixel"));
 }
 
 void FitPanel::offerTraining() {

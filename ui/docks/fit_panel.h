@@ -44,6 +44,7 @@ class FitPanel : public QWidget {
   void changed(const cutis::FitChoice& choice);
   void loadWanted();
   void fitWanted();
+  void optionsWanted();
   void trainingOffered();
   void trainingWanted();
 
@@ -54,14 +55,17 @@ class FitPanel : public QWidget {
   void showProfile(const QString& profile, Subject subject);
   void showMethod(const FitChoice& choice);
   void showShading(const FitChoice& choice, Subject subject);
+  void showOptions(const FitChoice& choice);
 
   QComboBox* profile_;
   QPushButton* load_;
   QComboBox* method_;
   QCheckBox* shading_;
   QPushButton* fit_;
+  QPushButton* options_;
   QWidget* offer_;
-  QString tried_;  // offered, but nobody knows yet whether it is a profile
+  FitChoice shown_;  // with what the panel has no control for
+  QString tried_;    // offered, but nobody knows yet whether it is a profile
 };
 
 }  // namespace cutis

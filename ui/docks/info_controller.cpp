@@ -1,13 +1,12 @@
 #include "ui/docks/info_controller.h"
 
 #include "src/app/document/view_server.h"
-#include "ui/dialogs/export_controller.h"
 #include "ui/docks/info_panel.h"
 
 namespace cutis {
 
-InfoController::InfoController(Document& document, ViewServer& server, ExportController& exports,
-                               InfoPanel& panel, QObject* parent)
+InfoController::InfoController(Document& document, ViewServer& server, InfoPanel& panel,
+                               QObject* parent)
     : QObject(parent), panel_(panel) {
   connect(&document, &Document::openingStarted, this, [this] { sinceOpening_.clear(); });
   connect(&document, &Document::opened, this,
@@ -17,7 +16,6 @@ InfoController::InfoController(Document& document, ViewServer& server, ExportCon
   const auto addError = [this](const QString& sentence) { add(sentence, true); };
   connect(&document, &Document::failed, this, addError);
   connect(&server, &ViewServer::failed, this, addError);
-  connect(&exports, &ExportController::noticed, this, &InfoController::add);
 }
 
 void InfoController::add(const QString& sentence, bool isError) {

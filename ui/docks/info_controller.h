@@ -11,7 +11,6 @@
 
 namespace cutis {
 
-class ExportController;
 class InfoPanel;
 class ViewServer;
 
@@ -20,12 +19,13 @@ class InfoController : public QObject {
 
  public:
   // All outlive the controller.
-  InfoController(Document& document, ViewServer& server, ExportController& exports,
-                 InfoPanel& panel, QObject* parent = nullptr);
+  InfoController(Document& document, ViewServer& server, InfoPanel& panel,
+                 QObject* parent = nullptr);
 
- private:
+  // What others say about the document.
   void add(const QString& sentence, bool isError);
 
+ private:
   InfoPanel& panel_;
   QSet<QString> sinceOpening_;  // about what is being opened
 };

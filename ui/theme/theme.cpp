@@ -16,8 +16,6 @@
 #include <QStyleOption>
 #include <QWidget>
 
-#include "ui/theme/window_icon.h"
-
 namespace cutis::theme {
 namespace {
 
@@ -333,7 +331,6 @@ void apply(QApplication& application) {
   QApplication::setStyle(new Style);
   QApplication::setPalette(paletteOf(tones()));
   application.setStyleSheet(styleSheetOf(tones()));
-  QApplication::setWindowIcon(windowIcon());
 }
 
 void alignForm(QFormLayout& form) {

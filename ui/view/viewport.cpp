@@ -101,6 +101,12 @@ void Viewport::zoomBy(double factor) {
   viewMoved();
 }
 
+void Viewport::showPlace(const QPointF& image, double zoom) {
+  geometry_.zoomTo(zoom, geometry_.middle());
+  geometry_.pan(geometry_.middle() - geometry_.toDevice(image));
+  viewMoved();
+}
+
 void Viewport::zoomIn() {
   zoomBy(kZoomPerNotch);
 }

@@ -46,6 +46,10 @@ class Viewport : public QWidget {
   // Device pixels per image pixel.
   double zoom() const { return geometry_.scale(); }
   bool fitted() const { return geometry_.fitted(); }
+  // The image point in the middle of the view.
+  QPointF middle() const { return geometry_.toImage(geometry_.middle()); }
+  // Brings an image point into the middle, at this zoom.
+  void showPlace(const QPointF& image, double zoom);
   // As viewChanged last reported; empty without a picture.
   Rect visibleRect() const { return geometry_.visible(); }
   int samplingStep() const { return geometry_.step(); }

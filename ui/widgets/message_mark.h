@@ -1,4 +1,4 @@
-#pragma once  // internal to ui
+#pragma once
 
 // The mark before a message: a triangle for errors, a disc for notices; never colour alone.
 // Interface thread only.

@@ -6,12 +6,12 @@
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QShortcut>
 #include <QToolButton>
 
 #include "ui/theme/theme.h"
+#include "ui/widgets/cross_button.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/message_mark.h"
 
@@ -24,31 +24,6 @@ constexpr int kSteps = 1000;
 constexpr std::size_t kMostMessages = 40;  // older ones are forgotten
 constexpr int kReadingMs = 1000;           // after so long a message is taken to be read
 constexpr int kNoticeMs = 10000;           // after so long a notice is old news
-
-// Draws its cross itself: fonts without the sign would show a box, and pictures blur at 1.5 ×.
-class CrossButton : public QToolButton {
- public:
-  CrossButton(const QString& name, const QString& toolTip, QWidget* parent) : QToolButton(parent) {
-    setAutoRaise(true);
-    setAccessibleName(name);
-    setToolTip(toolTip);
-    setFocusPolicy(Qt::TabFocus);
-    setFixedSize(24, 24);
-  }
-
- protected:
-  void paintEvent(QPaintEvent* event) override {
-    QToolButton::paintEvent(event);
-    constexpr double kArm = 4;
-    const QPointF middle = QRectF(rect()).center();
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(theme::tones().text, 1.6, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(middle - QPointF(kArm, kArm), middle + QPointF(kArm, kArm));
-    painter.drawLine(middle - QPointF(kArm, -kArm), middle + QPointF(kArm, -kArm));
-    if (hasFocus()) theme::drawFocusRing(painter, QRectF(rect()));
-  }
-};
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/widgets
 
 // How a person moves a slider: which movements belong together as one step of undo.
 

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/widgets
+#pragma once
 
 // A scale whose neutral value lies in the middle of the slider although it is nowhere near the
 // middle of the range: value = a·u / (1 − c·u) above the minimum, with u the place on the slider.

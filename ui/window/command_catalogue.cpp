@@ -8,7 +8,9 @@
 #include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/about.h"
 #include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/fit_options_dialog.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/dialogs/save_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
@@ -17,6 +19,7 @@
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/window/preset_commands.h"
+#include "ui/window/private_data.h"
 
 namespace cutis {
 namespace {
@@ -61,7 +64,7 @@ Rows fileCommands(const Editor& editor) {
        .run = [&open] { open.choosePhotographs(); }},
       {.id = "file.openImage",
        .menu = Menu::file,
-       .text = tr("Open &image or maps…"),
+       .text = tr("Open &image, maps or project…"),
        .shortcuts = QKeySequence::keyBindings(QKeySequence::Open),
        .run = [&open] { open.chooseImage(); }},
       {.id = "file.openImageAs",
@@ -70,13 +73,40 @@ Rows fileCommands(const Editor& editor) {
        .toolTip = tr("Choose the colour space, layer, exposure and mask"),
        .shortcuts = {QKeySequence(tr("Ctrl+Alt+O"))},
        .run = [&open] { open.chooseImageAs(); }},
+      {.id = "file.save",
+       .menu = Menu::file,
+       .text = tr("&Save project"),
+       .toolTip = tr("What is open, its fit, its edits and the view of it, in a file of its own"),
+       .shortcuts = QKeySequence::keyBindings(QKeySequence::Save),
+       .beginsSection = true,
+       .run = [editor] { editor.page().saves().save(); },
+       .objection = [editor] { return editor.page().saves().objection(); }},
+      {.id = "file.saveAs",
+       .menu = Menu::file,
+       .text = tr("Save project &as…"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+S"))},
+       .run = [editor] { editor.page().saves().saveAs(); },
+       .objection = [editor] { return editor.page().saves().objection(); }},
+      {.id = "file.saveMaps",
+       .menu = Menu::file,
+       .text = tr("Save &maps…"),
+       .toolTip = tr("The fitted maps, without the edits"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Alt+S"))},
+       .run = [editor] { editor.page().exports().chooseMaps(); },
+       .objection = [editor] { return editor.page().exports().mapsObjection(); }},
       {.id = "file.export",
        .menu = Menu::file,
        .text = tr("&Export edited albedo…"),
        .shortcuts = {QKeySequence(tr("Ctrl+E"))},
-       .beginsSection = true,
        .run = [editor] { editor.page().exports().choose(); },
        .objection = [editor] { return editor.page().exports().objection(); }},
+      {.id = "file.clearPrivateData",
+       .menu = Menu::file,
+       .text = tr("Clear private &data…"),
+       .toolTip = tr("Journals of earlier sessions, caches, and the names of recent files"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+Del"))},
+       .beginsSection = true,
+       .run = [editor] { askToClearPrivateData(editor.window); }},
       {.id = "file.close",
        .menu = Menu::file,
        .text = tr("&Close"),
@@ -253,6 +283,13 @@ Rows fitCommands(const Editor& editor) {
        .toolTip = tr("A profile of the skin model from a JSON file"),
        .shortcuts = {QKeySequence(tr("Ctrl+Shift+L"))},
        .run = [editor] { editor.page().fit().chooseProfile(editor.window); },
+       .objection = objection},
+      {.id = "fit.options",
+       .menu = Menu::fit,
+       .text = tr("Fit &options…"),
+       .toolTip = tr("Noise, prior, parameters that are held, constants found per pixel"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+F"))},
+       .run = [editor] { askForFitOptions(editor.document(), editor.window); },
        .objection = objection},
       {.id = "fit.train",
        .menu = Menu::fit,

@@ -4,20 +4,21 @@
 
 #include "ui/commands/command_registry.h"
 #include "ui/commands/context_menu.h"
+#include "ui/dialogs/export_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/edit_panel.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/fit_panel.h"
-#include "ui/docks/history_controller.h"
-#include "ui/docks/history_panel.h"
 #include "ui/docks/info_controller.h"
 #include "ui/docks/info_panel.h"
 #include "ui/docks/light_catalogue.h"
 #include "ui/docks/light_controller.h"
 #include "ui/docks/light_panel.h"
-#include "ui/docks/preset_catalogue.h"
 #include "ui/docks/spectrum_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/edits/history_controller.h"
+#include "ui/edits/history_panel.h"
+#include "ui/edits/preset_catalogue.h"
 #include "ui/plot/spectrum_plot.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
@@ -64,7 +65,8 @@ QWidget* makeHistory(DocumentPage& page) {
 
 QWidget* makeInfo(DocumentPage& page) {
   auto* panel = new InfoPanel;
-  new InfoController(page.document(), page.server(), page.exports(), *panel, panel);
+  auto* controller = new InfoController(page.document(), page.server(), *panel, panel);
+  QObject::connect(&page.exports(), &ExportController::noticed, controller, &InfoController::add);
   return panel;
 }
 
@@ -81,6 +83,8 @@ QWidget* makeFit(DocumentPage& page, CommandRegistry& commands) {
   page.fit().attach(*panel);
   QObject::connect(panel, &FitPanel::loadWanted, panel,
                    [&commands] { commands.run("fit.loadProfile"); });
+  QObject::connect(panel, &FitPanel::optionsWanted, panel,
+                   [&commands] { commands.run("fit.options"); });
   QObject::connect(panel, &FitPanel::trainingWanted, panel,
                    [&commands] { commands.run("fit.train"); });
   auto* scroll = new PanelScroll(panel);

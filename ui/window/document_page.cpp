@@ -1,39 +1,56 @@
 #include "ui/window/document_page.h"
 
+#include <utility>
+
+#include <QFileInfo>
 #include <QVBoxLayout>
 
+#include "src/app/document/autosave.h"
 #include "ui/commands/context_menu.h"
 #include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/save_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/light_controller.h"
-#include "ui/docks/preset_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/edits/preset_controller.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
+#include "ui/widgets/notice_bar.h"
+#include "ui/widgets/progress_strip.h"
 #include "ui/window/dock_catalogue.h"
+#include "ui/window/project_view.h"
 
 namespace cutis {
 
 DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegistry& commands,
                            QWidget* parent)
     : QWidget(parent),
+      progress_(progress),
       document_(std::make_unique<Document>(engine, jobs_)),
       server_(std::make_unique<ViewServer>(*document_, engine, jobs_)),
       viewport_(new Viewport(this)),
       workspace_(new Workspace(viewport_, this)),
+      notice_(new NoticeBar(this)),
       views_(std::make_unique<ViewController>(*document_, *server_, *viewport_)),
       edits_(std::make_unique<EditController>(*document_, *views_)),
       presets_(std::make_unique<PresetController>(*document_, *views_, progress, this)),
       light_(std::make_unique<LightController>(*server_, *views_)),
       fit_(std::make_unique<FitController>(*document_)),
       training_(std::make_unique<TrainingController>(*document_, engine, jobs_, this)),
-      exports_(std::make_unique<ExportController>(*document_, engine, jobs_, progress, this)) {
+      exports_(std::make_unique<ExportController>(*document_, engine, jobs_, progress, this)),
+      saves_(std::make_unique<SaveController>(
+          *document_, progress, [this] { return projectViewOf(*this); }, this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(workspace_);
+  column->setSpacing(0);
+  column->addWidget(notice_);
+  column->addWidget(workspace_, 1);
   workspace_->add(dockCatalogue(*this, progress, commands));
+  connect(document_.get(), &Document::opened, this,
+          [this] { showProjectView(*this, document_->view()); });
+  connectSource();
   giveContextMenu(
       *viewport_, commands,
       {"view.wholePicture", "view.oneToOne", "view.zoomIn", "view.zoomOut", "", "view.photograph",
@@ -42,6 +59,8 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
 
 DocumentPage::~DocumentPage() {
   jobs_.stopAll();
+  // The last state of what is not saved is that of the document.
+  autosave_.reset();
   // Docks that go out of sight say so: while those they say it to are still there.
   hide();
 }
@@ -55,8 +74,62 @@ void DocumentPage::open(const std::filesystem::path& path, const OpenChoice& cho
   }
 }
 
+void DocumentPage::recover(const Project& project, const std::shared_ptr<Journal>& journal) {
+  keepJournal(journal);
+  document_->recover(project);
+}
+
+void DocumentPage::openRelinked(const MissingSource& missing, const std::filesystem::path& found,
+                                bool whateverItHolds, const std::shared_ptr<Journal>& journal) {
+  if (journal != nullptr) keepJournal(journal);
+  wanted_ = missing.path;
+  document_->openRelinked(missing, found, whateverItHolds);
+}
+
 bool DocumentPage::isFor(const std::filesystem::path& path) const {
-  return wanted_ == path && !isBlank();
+  if (isBlank()) return false;
+  return document_->projectPath().empty() ? wanted_ == path : document_->projectPath() == path;
+}
+
+bool DocumentPage::isWriting() const {
+  return document_->isSaving() || exports_->isExporting();
+}
+
+void DocumentPage::stopWriting() {
+  document_->stopSaving();
+  exports_->stop();
+}
+
+void DocumentPage::keepJournal(std::shared_ptr<Journal> journal) {
+  journal_ = std::move(journal);
+  autosave_ = std::make_unique<Autosave>(*document_, jobs_, journal_);
+  connect(autosave_.get(), &Autosave::failed, this,
+          [this](const QString& sentence) { progress_.showMessage(sentence, true); });
+}
+
+void DocumentPage::discardEdits() {
+  if (autosave_) autosave_->discard();
+}
+
+// Another program has written a file that this was made of.
+void DocumentPage::connectSource() {
+  connect(document_.get(), &Document::sourceChanged, this, [this](const QStringList& files) {
+    const QString name = QFileInfo(files.first()).fileName();
+    notice_->ask(
+        files.size() == 1
+            ? tr("%1 has changed on disk. Reloaded, it is fitted again and keeps the edits.")
+                  .arg(name)
+            : tr("%1 and %2 more have changed on disk. Reloaded, it is fitted again and "
+                 "keeps the edits.")
+                  .arg(name)
+                  .arg(files.size() - 1),
+        tr("Reload"), tr("Keep"));
+  });
+  connect(notice_, &NoticeBar::accepted, this, [this] {
+    document_->setView(projectViewOf(*this));
+    document_->reload();
+  });
+  connect(document_.get(), &Document::opened, notice_, &QWidget::hide);
 }
 
 bool DocumentPage::isIdle() const {

@@ -13,16 +13,20 @@
 #include "src/app/document/view_server.h"
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
+#include "src/app/project/journal.h"
 
 namespace cutis {
 
+class Autosave;
 class CommandRegistry;
 class EditController;
 class ExportController;
 class FitController;
 class LightController;
+class NoticeBar;
 class PresetController;
 class ProgressStrip;
+class SaveController;
 class TrainingController;
 class ViewController;
 class Viewport;
@@ -41,13 +45,26 @@ class DocumentPage : public QWidget {
 
   // Opens a file, or the embedded sample where the path is empty.
   void open(const std::filesystem::path& path, const OpenChoice& choice);
-  // What was last opened here, or is on its way, is this.
+  // What a journal kept; the journal is the page's from now on.
+  void recover(const Project& project, const std::shared_ptr<Journal>& journal);
+  // As Document::openRelinked(); with the journal where one kept it.
+  void openRelinked(const MissingSource& missing, const std::filesystem::path& found,
+                    bool whateverItHolds, const std::shared_ptr<Journal>& journal);
+  // What was last opened or saved here, or is on its way, is this.
   bool isFor(const std::filesystem::path& path) const;
 
   // Nothing of it is being read, fitted, drawn or written.
   bool isIdle() const;
+  // A file of it is being written, which ends with the page.
+  bool isWriting() const;
+  void stopWriting();
   // Nothing is open or on its way.
   bool isBlank() const { return !document_->isOpen() && jobs_.isIdle(); }
+  // From now on unsaved edits are written down there. Until then, and while it is null, nowhere.
+  void keepJournal(std::shared_ptr<Journal> journal);
+  std::shared_ptr<Journal> journal() const { return journal_; }
+  // The edits are given up.
+  void discardEdits();
   // Closes what stands before the window because of the page.
   void closeDialogs();
 
@@ -63,14 +80,20 @@ class DocumentPage : public QWidget {
   FitController& fit() { return *fit_; }
   TrainingController& training() { return *training_; }
   ExportController& exports() { return *exports_; }
+  SaveController& saves() { return *saves_; }
+  NoticeBar& notice() { return *notice_; }
 
  private:
+  void connectSource();
+
+  ProgressStrip& progress_;
   JobRunner jobs_;
   std::optional<std::filesystem::path> wanted_;
   std::unique_ptr<Document> document_;
   std::unique_ptr<ViewServer> server_;
   Viewport* viewport_;
   Workspace* workspace_;
+  NoticeBar* notice_;
   // They go before what they work on.
   std::unique_ptr<ViewController> views_;
   std::unique_ptr<EditController> edits_;
@@ -79,6 +102,9 @@ class DocumentPage : public QWidget {
   std::unique_ptr<FitController> fit_;
   std::unique_ptr<TrainingController> training_;
   std::unique_ptr<ExportController> exports_;
+  std::unique_ptr<SaveController> saves_;
+  std::shared_ptr<Journal> journal_;
+  std::unique_ptr<Autosave> autosave_;
 };
 
 }  // namespace cutis

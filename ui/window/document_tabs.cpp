@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/docks/workspace.h"
+#include "ui/widgets/cross_button.h"
 #include "ui/window/document_page.h"
 
 namespace cutis {
@@ -33,7 +34,6 @@ DocumentTabs::DocumentTabs(MakePage makePage, QWidget* parent)
       bar_(new ClosableTabBar(this)),
       stack_(new QStackedWidget(this)) {
   bar_->setAccessibleName(tr("Documents"));
-  bar_->setTabsClosable(true);
   bar_->setMovable(true);
   bar_->setExpanding(false);
   bar_->setDocumentMode(true);
@@ -107,8 +107,11 @@ void DocumentTabs::open(const std::filesystem::path& path) {
 }
 
 void DocumentTabs::openAs(const std::filesystem::path& path, const OpenChoice& choice) {
-  DocumentPage& page = current().isBlank() ? current() : makePage();
-  page.open(path, choice);
+  pageToOpenIn().open(path, choice);
+}
+
+DocumentPage& DocumentTabs::pageToOpenIn() {
+  return current().isBlank() ? current() : makePage();
 }
 
 int DocumentTabs::tabOf(const DocumentPage& page) const {
@@ -126,7 +129,11 @@ void DocumentTabs::takeOpened(DocumentPage& page) {
   if (tabOf(page) < 0) {
     // The data come before the signal that looks for them.
     const QSignalBlocker silent(bar_);
-    bar_->setTabData(bar_->addTab({}), QVariant::fromValue<QWidget*>(&page));
+    const int tab = bar_->addTab({});
+    bar_->setTabData(tab, QVariant::fromValue<QWidget*>(&page));
+    auto* button = new CrossButton({}, tr("Close"), bar_);
+    connect(button, &QToolButton::clicked, this, [this, &page] { Q_EMIT closeWanted(page); });
+    bar_->setTabButton(tab, QTabBar::RightSide, button);
   }
   refreshTitles();
   present(page);
@@ -138,14 +145,16 @@ void DocumentTabs::refreshTitles() {
   for (int tab = 0; tab < bar_->count(); ++tab) {
     const Document& document = pageOf(tab).document();
     // A single & would be taken as a mnemonic.
-    bar_->setTabText(tab, document.name().replace("&", "&&"));
-    if (QWidget* button = bar_->tabButton(tab, QTabBar::RightSide)) {
-      button->setAccessibleName(tr("Close %1").arg(document.name()));
-      button->setToolTip(tr("Close"));
-    }
+    const QString text = document.name().replace("&", "&&") + (document.isModified() ? "*" : "");
+    // A drag of a slider asks for every frame.
+    if (bar_->tabText(tab) != text) bar_->setTabText(tab, text);
+    bar_->tabButton(tab, QTabBar::RightSide)
+        ->setAccessibleName(tr("Close %1").arg(document.name()));
     const auto& files = document.sourceFiles();
-    bar_->setTabToolTip(
-        tab, files.empty() ? document.name() : QString::fromStdString(files.front().string()));
+    std::filesystem::path place = document.projectPath();
+    if (place.empty() && !files.empty()) place = files.front();
+    bar_->setTabToolTip(tab,
+                        place.empty() ? document.name() : QString::fromStdString(place.string()));
   }
 }
 

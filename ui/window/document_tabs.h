@@ -41,6 +41,8 @@ class DocumentTabs : public QWidget {
   void open(const std::filesystem::path& path);
   // The same, read as somebody has chosen, whether it is open already or not.
   void openAs(const std::filesystem::path& path, const OpenChoice& choice);
+  // The page that something is to be opened in: the current one if it is blank, else a new one.
+  DocumentPage& pageToOpenIn();
   // Precondition: the page has a tab.
   void present(DocumentPage& page);
   // The next tab to the right, or to the left for -1, and round at the ends.

@@ -17,18 +17,24 @@
 #include "src/app/document/view_server.h"
 #include "ui/commands/command_palette.h"
 #include "ui/commands/command_registry.h"
+#include "ui/commands/shortcut_settings.h"
 #include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/dialogs/save_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/theme/theme.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"
+#include "ui/window/close_guard.h"
 #include "ui/window/command_catalogue.h"
 #include "ui/window/document_page.h"
 #include "ui/window/document_tabs.h"
 #include "ui/window/editor.h"
 #include "ui/window/job_display.h"
+#include "ui/window/recent_menu.h"
+#include "ui/window/recovery.h"
+#include "ui/window/source_finder.h"
 #include "ui/window/start_page.h"
 #include "ui/window/window_size.h"
 
@@ -55,7 +61,10 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
           [this](QWidget* stack) {
             return new DocumentPage(*engine_, *progress_, *commands_, stack);
           },
-          this)) {
+          this)),
+      closing_(new CloseGuard(*tabs_, *this)),
+      finder_(new SourceFinder(*tabs_, *this)),
+      recovery_(new Recovery(*tabs_, *progress_, *this)) {
   jobDisplay_->watch(jobs_);
   connect(tabs_, &DocumentTabs::pageMade, this, &MainWindow::connectPage);
   tabs_->begin();
@@ -74,6 +83,10 @@ MainWindow::~MainWindow() {
   delete tabs_;
 }
 
+void MainWindow::keepJournals(const std::filesystem::path& folder) {
+  recovery_->begin(folder);
+}
+
 void MainWindow::setUsualFit(const FitChoice& choice) {
   usualFit_ = choice;
   for (DocumentPage* page : tabs_->pages())
@@ -86,6 +99,20 @@ void MainWindow::fillTables() {
   commands_->add(commandCatalogue({*this, *tabs_, *opener_, *palette, *shortcuts}));
   ShortcutSettings(*commands_).restore();
   commands_->fill(*menuBar());
+  addRecentMenu();
+}
+
+void MainWindow::addRecentMenu() {
+  auto* recent = new RecentMenu([this] { return opener_->recentFiles(); }, this);
+  connect(recent, &RecentMenu::openWanted, opener_, &OpenController::open);
+  connect(recent, &RecentMenu::clearWanted, this, [this] {
+    forgetRecentFiles();
+    start_->setRecentFiles({});
+  });
+  // Behind what else opens files.
+  QMenu* file = menuBar()->actions().front()->menu();
+  const QList<QAction*> rows = file->actions();
+  file->insertMenu(rows[rows.indexOf(commands_->action("file.save")) - 1], recent);
 }
 
 void MainWindow::layOut() {
@@ -124,14 +151,14 @@ void MainWindow::connectOpening() {
           [this](JobId, const QString& sentence) { progress_->showMessage(sentence, true); });
   connect(&jobs_, &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(tabs_, &DocumentTabs::currentChanged, this, &MainWindow::showCurrent);
-  connect(tabs_, &DocumentTabs::closeWanted, this,
-          [this](DocumentPage& page) { tabs_->close(page); });
+  connect(tabs_, &DocumentTabs::closeWanted, closing_, &CloseGuard::closePage);
 }
 
 void MainWindow::connectPage(DocumentPage& page) {
   jobDisplay_->watch(page.jobs());
   page.document().setUsualFit(usualFit_);
   connectMessages(page);
+  connectSaving(page);
   const Document* document = &page.document();
   connect(document, &Document::openingFailed, opener_, &OpenController::openAs);
   connect(document, &Document::opened, this, [this, document] { opener_->remember(*document); });
@@ -141,6 +168,16 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);
   connect(&page.workspace(), &Workspace::docksChanged, this, &MainWindow::refreshCommands);
+}
+
+void MainWindow::connectSaving(DocumentPage& page) {
+  finder_->watch(page);
+  const Document* document = &page.document();
+  connect(document, &Document::saved, this, [this, document] { opener_->remember(*document); });
+  connect(document, &Document::modifiedChanged, this, [this] {
+    tabs_->refreshTitles();
+    showTitle();
+  });
 }
 
 void MainWindow::connectMessages(DocumentPage& page) {
@@ -157,7 +194,7 @@ void MainWindow::connectMessages(DocumentPage& page) {
 
 void MainWindow::showCurrent() {
   const bool isOpen = document().isOpen() || document().isPreviewed();
-  setWindowTitle(isOpen ? tr("%1 — Cutis").arg(document().name()) : tr("Cutis"));
+  showTitle();
   // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
   exportButton_->setVisible(isOpen);
   if (!isOpen) start_->setRecentFiles(opener_->recentFiles());
@@ -165,6 +202,13 @@ void MainWindow::showCurrent() {
   progress_->setMessagesShown(isOpen);
   if (isOpen) viewport().setFocus();
   refreshCommands();
+}
+
+void MainWindow::showTitle() {
+  const QString name = document().name();
+  setWindowTitle(document().isOpen() ? tr("%1[*] — Cutis").arg(name.replace("[*]", "[*][*]"))
+                                     : tr("Cutis"));
+  setWindowModified(document().isModified());
 }
 
 // While the tables are filled there are no commands yet.
@@ -215,6 +259,10 @@ ExportController& MainWindow::exports() {
   return tabs_->current().exports();
 }
 
+SaveController& MainWindow::saves() {
+  return tabs_->current().saves();
+}
+
 Viewport& MainWindow::viewport() {
   return tabs_->current().viewport();
 }
@@ -240,12 +288,20 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!closing_->mayClose()) return event->ignore();
   for (DocumentPage* page : tabs_->pages())
     page->closeDialogs();
   QSettings settings;
   settings.setValue(kGeometry, saveGeometry());
   settings.setValue(kLayout, workspace().saveLayout());
   event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::ActivationChange || !isActiveWindow()) return;
+  for (DocumentPage* page : tabs_->pages())
+    page->document().checkSource();
 }
 
 void MainWindow::restoreSettings() {

@@ -3,6 +3,7 @@
 // The editor's window: the start page, or the documents behind their tabs, above the progress
 // strip. It joins them; what they do stands with them. Interface thread only.
 
+#include <filesystem>
 #include <memory>
 
 #include <QMainWindow>
@@ -16,6 +17,7 @@ class QStackedWidget;
 
 namespace cutis {
 
+class CloseGuard;
 class CommandRegistry;
 class Document;
 class DocumentPage;
@@ -27,6 +29,9 @@ class JobDisplay;
 class LightController;
 class OpenController;
 class ProgressStrip;
+class Recovery;
+class SaveController;
+class SourceFinder;
 class StartPage;
 class TrainingController;
 class ViewController;
@@ -43,6 +48,9 @@ class MainWindow : public QMainWindow {
   // Nothing is being read, fitted, drawn or written.
   bool isIdle() const;
 
+  // From now on unsaved edits are written down in the folder, and what a crash left there is
+  // offered. Once, while the window is shown.
+  void keepJournals(const std::filesystem::path& folder);
   // How documents are fitted at first. Before anything is opened.
   void setUsualFit(const FitChoice& choice);
 
@@ -59,6 +67,7 @@ class MainWindow : public QMainWindow {
   FitController& fit();
   TrainingController& training();
   ExportController& exports();
+  SaveController& saves();
   Viewport& viewport();
 
  protected:
@@ -67,6 +76,8 @@ class MainWindow : public QMainWindow {
   void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  // Who comes back from another program may have changed a source there.
+  void changeEvent(QEvent* event) override;
 
  private:
   void fillTables();
@@ -75,7 +86,10 @@ class MainWindow : public QMainWindow {
   void connectOpening();
   void connectPage(DocumentPage& page);
   void connectMessages(DocumentPage& page);
+  void connectSaving(DocumentPage& page);
+  void addRecentMenu();
   void showCurrent();
+  void showTitle();
   void refreshCommands();
   void restoreSettings();
 
@@ -91,6 +105,9 @@ class MainWindow : public QMainWindow {
   CommandRegistry* commands_;
   OpenController* opener_;
   DocumentTabs* tabs_;
+  CloseGuard* closing_;
+  SourceFinder* finder_;
+  Recovery* recovery_;
 };
 
 }  // namespace cutis

@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 
-#include "ui/docks/preset_catalogue.h"
-#include "ui/docks/preset_controller.h"
+#include "ui/edits/preset_catalogue.h"
+#include "ui/edits/preset_controller.h"
 
 namespace cutis {
 namespace {

@@ -50,7 +50,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* capture = new QPushButton(tr("Open capture…"), column);
   capture->setToolTip(
       tr("Photographs of one subject under several lights, with their capture.json"));
-  auto* image = new QPushButton(tr("Open image or maps…"), column);
+  auto* image = new QPushButton(tr("Open image, maps or project…"), column);
   image->setToolTip(
       tr("An albedo texture, such as an EXR, TIFF or PNG, or maps that were fitted before"));
   for (QPushButton* button : {capture, image})

@@ -29,7 +29,7 @@ class StartPage : public QWidget {
  Q_SIGNALS:
   void sampleWanted();
   void captureWanted();  // "Open capture…"
-  void imageWanted();    // "Open image or maps…"
+  void imageWanted();    // "Open image, maps or project…"
   // A recent file was chosen.
   void fileWanted(const QString& path);
 

@@ -9,7 +9,7 @@
 #include "core/skin/parameter_buffer.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
-#include "src/files/io/free_memory.h"
+#include "src/app/project/manifest.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"
 
@@ -47,36 +47,41 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
   connect(&jobs, &JobRunner::finished, this, [this](JobId job) {
     if (job == fitting_ && !fitted_) backToLastFit();
     if (job == opening_) endPreview();
+    if (job == saving_) {
+      saving_ = 0;
+      saveNext_.clear();
+      Q_EMIT notSaved();
+    }
   });
 }
 
-// The same photographs whatever they are fitted with.
 void Document::openSample() {
-  const SourceReader paint = [this](const SkinModel& model,
-                                    const JobContext& context) -> Result<Source> {
-    CUTIS_TRY(painted, engine_.model(kDefaultProfile, {}));
-    CUTIS_TRY(sample, cutis::openSample(*painted, store_, context));
-    return sourceForModel(sample, model);
-  };
-  startOpening(tr("Sample face patch"), {}, {},
-               [this, paint, choice = usualFit_](const JobContext& context) {
-                 return openedSource({}, choice, paint, context);
-               });
+  startOpening(tr("Sample face patch"), {}, [this, choice = usualFit_](const JobContext& context) {
+    return openedSource({}, choice, context);
+  });
 }
 
 void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
-  const SourceReader read = [this, path, options = choice.source](const SkinModel& model,
-                                                                  const JobContext& context) {
-    return openSource(path, options, model, store_, context);
-  };
-  startOpening(QString::fromStdString(path.filename().string()), path, choice.source,
-               [this, path, read, fit = usualFit_, chooseExposure = choice.chooseExposure](
-                   const JobContext& context) -> Result<Opened> {
-                 if (!looksLikeCapture(path) && isMapsFile(path)) return openedMaps(path, context);
-                 CUTIS_TRY(opened, openedSource({path}, fit, read, context));
-                 opened.chooseExposure = chooseExposure;
-                 return std::move(opened);
-               });
+  const QString name = QString::fromStdString(path.filename().string());
+  if (isProjectFile(path)) return openProject(std::filesystem::absolute(path).lexically_normal());
+  const ProjectSource source = {SourceKind::image,
+                                std::filesystem::absolute(path).lexically_normal(),
+                                choice.source,
+                                choice.chooseExposure,
+                                {}};
+  startOpening(
+      name, path,
+      [this, source, fit = usualFit_](const JobContext& context) -> Result<Opened> {
+        ProjectSource found = source;
+        if (looksLikeCapture(source.path)) {
+          found.kind = SourceKind::capture;
+        } else if (isMapsFile(source.path)) {
+          found.kind = SourceKind::maps;
+          return openedMaps(found, context);
+        }
+        return openedSource(found, fit, context);
+      },
+      choice.source);
 }
 
 JobContext Document::contextOf(const JobRunner::Handle& job) {
@@ -87,17 +92,18 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
   return context;
 }
 
-void Document::startOpening(const QString& name, const std::filesystem::path& path,
-                            const SourceOptions& options, Opener open) {
+void Document::startOpening(const QString& name, const std::filesystem::path& path, Opener open,
+                            const std::optional<SourceOptions>& preview) {
   jobs_.cancel(opening_);
   Q_EMIT openingStarted();
-  const bool showsPreview = !isOpen() && !path.empty();
-  opening_ =
-      jobs_.start(tr("Open %1").arg(name), [this, name, path, options, showsPreview,
-                                            open = std::move(open)](const JobRunner::Handle& job) {
-        auto preview = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
-        if (preview)
-          job.post([this, name, shown = *std::move(preview)] { showPreview(name, shown); });
+  const bool showsPreview = !isOpen() && preview.has_value();
+  opening_ = jobs_.start(
+      tr("Open %1").arg(name),
+      [this, name, path, options = preview.value_or(SourceOptions()), showsPreview,
+       open = std::move(open)](const JobRunner::Handle& job) {
+        auto coarse = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
+        if (coarse)
+          job.post([this, name, shown = *std::move(coarse)] { showPreview(name, shown); });
         auto opened = open(contextOf(job));
         if (opened.failed()) {
           job.post([this, path, sentence = sentenceOf(opened.error())] {
@@ -105,38 +111,28 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
             Q_EMIT failed(sentence);
           });
         } else if (opened) {
-          job.post([this, result = opened.value()] { take(result); });
+          job.post([this, result = opened.value()] { takeOrReport(result); });
         }
       });
 }
 
-void Document::showPreview(const QString& name, const SourcePreview& preview) {
-  name_ = name;
-  isPreviewed_ = true;
-  Q_EMIT previewed(preview);
-}
-
-void Document::endPreview() {
-  if (std::exchange(isPreviewed_, false)) Q_EMIT previewEnded();
-}
-
-Result<Document::Opened> Document::openedSource(std::vector<std::filesystem::path> files,
-                                                const FitChoice& choice, const SourceReader& read,
+Result<Document::Opened> Document::openedSource(ProjectSource source, const FitChoice& choice,
                                                 const JobContext& context) {
-  CUTIS_TRY(model, engine_.model(choice.profile, {}));
-  CUTIS_TRY(source, read(*model, context.child(0.0, 1.0, "reading")));
+  CUTIS_TRY(read, openSourceOf(source, choice.profile, engine_, store_,
+                               context.child(0.0, 1.0, "reading")));
   Opened opened;
-  opened.choice = choice;
-  opened.name = QString::fromStdString(source.name);
-  opened.files = std::move(files);
-  opened.scene.model = model;
-  opened.scene.source = std::make_shared<const Source>(std::move(source));
-  opened.scene.maps = FitPlanes(opened.scene.source->measurements, {}, store_).maps;
+  opened.name = QString::fromStdString(read.source->name);
+  opened.project.source = std::move(source);
+  opened.project.fit = choice;
+  opened.scene.model = read.model;
+  opened.scene.source = read.source;
+  opened.scene.maps = FitPlanes(read.source->measurements, {}, store_).maps;
   return opened;
 }
 
-Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
-                                              const JobContext& context) {
+Result<Document::Opened> Document::openedMaps(ProjectSource source, const JobContext& context) {
+  const std::filesystem::path path = source.path;
+  source.files = listSourceFiles(path, {});
   CUTIS_TRY(file, readMaps(path, PixelFormat::float32, store_, context.child(0.0, 0.5, "reading")));
   const MapsAttributes& attributes = file.attributes;
   CUTIS_TRY(model, attributes.profileJson.empty()
@@ -145,14 +141,15 @@ Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
   CUTIS_CHECK(checkCoefficients(file.maps, model->profile(), path.string()));
   Opened opened;
   opened.name = QString::fromStdString(path.filename().string());
-  opened.files = {path};
+  opened.isFitted = true;
+  opened.project.source = std::move(source);
   opened.scene.model = model;
   opened.scene.maps = file.maps;
-  opened.choice = {model->profile().name, FitMethod::refined, false};
+  opened.project.fit = {model->profile().name, FitMethod::refined, false};
   if (const auto method = fitMethodNamed(attributes.method, {})) {
-    opened.choice.method = method.value();
+    opened.project.fit.method = method.value();
   }
-  opened.choice.shading = !file.shading.empty();
+  opened.project.fit.shading = !file.shading.empty();
   if (file.maps.free().count() == 0) return opened;
   CUTIS_TRY(spectra,
             SkinSpectra::make(model, file.maps.perPixel(), context.child(0.5, 1.0, "spectra")));
@@ -163,20 +160,23 @@ Result<Document::Opened> Document::openedMaps(const std::filesystem::path& path,
 void Document::take(const Opened& opened) {
   cancelFit();
   scene_ = opened.scene;
-  choice_ = opened.choice;
-  chooseExposure_ = opened.chooseExposure;
+  choice_ = opened.project.fit;
   name_ = opened.name;
-  sourceFiles_ = opened.files;
   isPreviewed_ = false;
-  hasEstimate_ = scene_->source == nullptr;
+  hasEstimate_ = scene_->source == nullptr || opened.isFitted;
   fitted_ = false;
   statistics_ = {};
   lastFit_.reset();
-  history_ = {};
+  takeProject(opened);
+  scene_->edits = history_.current().edits;
+  if (opened.isFitted) {
+    fitted_ = true;
+    lastFit_ = {choice_, *scene_, {}};
+  }
   Q_EMIT this->opened();
+  Q_EMIT modifiedChanged();
   Q_EMIT fitChoiceChanged();
-  if (canFit()) return startFit();
-  fitted_ = true;
+  if (!opened.isFitted) return startFit();
   Q_EMIT fitted();
 }
 
@@ -203,11 +203,13 @@ void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network,
 void Document::startFit() {
   cancelFit();
   fitted_ = false;
-  fitting_ =
-      jobs_.start(tr("Fit %1").arg(name_),
-                  [this, choice = choice_, chooseExposure = chooseExposure_, scene = *scene_](
-                      const JobRunner::Handle& job) { fit(choice, chooseExposure, scene, job); });
+  state_.maps.clear();
+  fitting_ = jobs_.start(
+      tr("Fit %1").arg(name_),
+      [this, choice = choice_, chooseExposure = state_.source.chooseExposure,
+       scene = *scene_](const JobRunner::Handle& job) { fit(choice, chooseExposure, scene, job); });
   Q_EMIT fitChoiceChanged();
+  Q_EMIT modifiedChanged();
 }
 
 void Document::cancelFit() {
@@ -232,8 +234,9 @@ void Document::fit(const FitChoice& choice, bool chooseExposure, Scene scene,
         return Cancelled{};
       }
     }
-    return fitSource(model, scene.source, {fitOptions(choice), chooseExposure}, engine_, store_,
-                     context, observerOf(scene, job));
+    CUTIS_TRY(options, fitOptions(choice, model->profile()));
+    return fitSource(model, scene.source, {options, chooseExposure}, engine_, store_, context,
+                     observerOf(scene, job));
   }();
   if (fitted.failed()) {
     job.post([this, sentence = sentenceOf(fitted.error())] {
@@ -291,11 +294,6 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
   }
 }
 
-// What a fit and pictures before it have left.
-void Document::giveMemoryBack() {
-  jobs_.startQuiet([](const JobRunner::Handle&) { giveFreeMemoryBack(); });
-}
-
 void Document::backToLastFit() {
   cancelFit();
   if (!lastFit_) {
@@ -307,6 +305,7 @@ void Document::backToLastFit() {
   fitted_ = true;
   show(lastFit_->scene);
   Q_EMIT fitChoiceChanged();
+  Q_EMIT modifiedChanged();
 }
 
 void Document::fitWithoutNetwork() {
@@ -352,6 +351,7 @@ void Document::goToStep(std::size_t step) {
 void Document::setEdits(bool moving) {
   scene_->edits = history_.current().edits;
   Q_EMIT editsChanged(moving);
+  Q_EMIT modifiedChanged();
 }
 
 std::optional<ParameterVector> Document::editedParametersAt(int x, int y) const {
@@ -402,6 +402,8 @@ std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const doub
                        !choice_.shading && scene_->maps.free().count() == 0;
   if (!isKnown) return std::nullopt;
   const Measurements& measurements = scene_->source->measurements;
+  const auto options = fitOptions(choice_, scene_->model->profile());
+  if (!options) return std::nullopt;
   std::vector<double> channels;
   for (std::size_t k = 0; k < measurements.channels.size(); ++k) {
     std::array<float, 1> value;
@@ -409,7 +411,7 @@ std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const doub
     channels.push_back(double{value[0]});
   }
   const SpectrumPosterior posterior(*scene_->model, measurements.rig,
-                                    suitedTo(measurements, fitOptions(choice_)));
+                                    suitedTo(measurements, options.value()));
   // While a fit with another profile runs, the maps are still those of the last one.
   if (values.size() != posterior.valueCount()) return std::nullopt;
   return posterior.deviation(channels, values);

@@ -30,6 +30,9 @@
 #include "src/app/open/fit_choice.h"
 #include "src/app/open/source_fit.h"
 #include "src/app/open/source_preview.h"
+#include "src/app/project/project.h"
+#include "src/app/project/project_open.h"
+#include "src/images/maps/maps_file.h"
 
 namespace cutis {
 
@@ -60,8 +63,14 @@ class Document : public QObject {
 
   // Each replaces what is open once it could be read; a failure leaves it as it was.
   void openSample();
-  // A capture's folder, capture.json, an image or maps.
+  // A capture's folder, capture.json, an image, maps or a project.
   void open(const std::filesystem::path& path, const OpenChoice& choice = {});
+  // A project with `found` for the file that it is missing; whatever it holds, or only where it is
+  // the file that the project was saved with.
+  void openRelinked(const MissingSource& missing, const std::filesystem::path& found,
+                    bool whateverItHolds);
+  // What a journal kept, without a place of its own and with edits that are not saved.
+  void recover(const Project& project);
 
   bool isOpen() const { return scene_.has_value(); }
   // Not yet, but what will be can be seen.
@@ -78,6 +87,29 @@ class Document : public QObject {
   // Precondition: isOpen().
   const Scene& scene() const { return *scene_; }
   const FitStatistics& statistics() const { return statistics_; }
+  // The place of the project; empty while it has none.
+  const std::filesystem::path& projectPath() const { return state_.path; }
+  // Whether something would be lost that a project keeps: edits, and of a project that is saved
+  // already the fit and the places of its source, too.
+  bool isModified() const;
+  // How it is looked at: kept for the project, and what an opened project brings.
+  const ProjectView& view() const { return state_.view; }
+  void setView(const ProjectView& view) { state_.view = view; }
+  // All that a project holds. Precondition, here and below: isOpen().
+  Project project() const;
+  // The fitted maps as a file of their own, without edits; reads the profile again, any thread may
+  // call what is returned. Precondition: isFitted().
+  std::function<Result<MapsFile>()> mapsFile() const;
+  // Writes the project in the background; saved() or failed() follows. One save follows another.
+  void save(const std::filesystem::path& path);
+  bool isSaving() const { return jobs_.isRunning(saving_); }
+  // What is being saved is left as it was before.
+  void stopSaving();
+  // Looks in the background whether files of the source hold something else than was read; each
+  // change is reported once, by sourceChanged().
+  void checkSource();
+  // Reads the source again and fits it again; edits are kept. Precondition: it came from files.
+  void reload();
   // Whether there is something to fit: opened maps stay what they are.
   bool canFit() const { return isOpen() && scene_->source != nullptr; }
   // How the maps were fitted, or are being fitted.
@@ -144,6 +176,16 @@ class Document : public QObject {
   void editsChanged(bool moving);
   // What was to be opened could not be; before failed().
   void openingFailed(const QString& path, const QString& sentence);
+  // A project, or what a journal kept, cannot be opened while a file is not there.
+  void sourceMissing(const cutis::MissingSource& missing);
+  // What was named for the missing file is another one.
+  void otherSourceFound(const cutis::MissingSource& missing, const QString& found);
+  void saved(const QString& path);
+  // A save failed, which failed() has said, or was cancelled.
+  void notSaved();
+  // isModified() may be another now, or the place of the project.
+  void modifiedChanged();
+  void sourceChanged(const QStringList& files);
   // One sentence for the user.
   void failed(const QString& sentence);
   void noticed(const QString& sentence);
@@ -154,25 +196,35 @@ class Document : public QObject {
   // What was read, on its way to being shown.
   struct Opened {
     Scene scene;
-    FitChoice choice;
-    bool chooseExposure = true;
     QString name;
-    std::vector<std::filesystem::path> files;
+    Project project;             // its source, fit, edits and view
+    std::filesystem::path path;  // of the project; empty: it has none
+    bool isFitted = false;
+    bool isReload = false;   // edits, view and path are those of what is open
+    bool isUnsaved = false;  // what a journal kept
+    bool isMoved = false;    // the source lies somewhere else than the project says
+    // Instead of all this: what kept it from being opened.
+    std::filesystem::path missing;
+    std::filesystem::path other;
   };
   using Opener = std::function<Result<Opened>(const JobContext& context)>;
-  using SourceReader =
-      std::function<Result<Source>(const SkinModel& model, const JobContext& context)>;
 
-  // path: empty for the sample.
-  void startOpening(const QString& name, const std::filesystem::path& path,
-                    const SourceOptions& options, Opener open);
+  // path: empty for the sample. preview: how the file is read, where it can be seen coarsely first.
+  void startOpening(const QString& name, const std::filesystem::path& path, Opener open,
+                    const std::optional<SourceOptions>& preview = std::nullopt);
   void showPreview(const QString& name, const SourcePreview& preview);
   void endPreview();
+  void openProject(const std::filesystem::path& path);
   // On the thread of the job.
-  Result<Opened> openedSource(std::vector<std::filesystem::path> files, const FitChoice& choice,
-                              const SourceReader& read, const JobContext& context);
-  Result<Opened> openedMaps(const std::filesystem::path& path, const JobContext& context);
+  Result<Opened> openedSource(ProjectSource source, const FitChoice& choice,
+                              const JobContext& context);
+  Result<Opened> openedMaps(ProjectSource source, const JobContext& context);
+  Result<Opened> openedProject(const Project& project, const std::filesystem::path& path,
+                               const JobContext& context);
+  void takeOrReport(const Opened& opened);
   void take(const Opened& opened);
+  void takeProject(const Opened& opened);
+  void completeSave(const std::filesystem::path& path, const Project& asked, const Project& saved);
   // With notices for the user.
   JobContext contextOf(const JobRunner::Handle& job);
   void startFit();
@@ -200,9 +252,23 @@ class Document : public QObject {
   std::optional<Scene> scene_;
   QString name_;
   std::vector<std::filesystem::path> sourceFiles_;
+  // What of a project is neither scene nor history.
+  struct ProjectState {
+    ProjectSource source;
+    ProjectView view;
+    std::filesystem::path path;
+    std::filesystem::path maps;  // the file that holds the maps of now; empty: none
+    // As last saved or opened; a fit is only compared where there is a project.
+    std::string edits;
+    FitChoice fit;
+    bool isMoved = false;
+  };
+  ProjectState state_;
+  JobId saving_ = 0;
+  std::filesystem::path saveNext_;
+  JobId checking_ = 0;
   FitChoice usualFit_;
   FitChoice choice_;
-  bool chooseExposure_ = true;
   bool isPreviewed_ = false;
   bool hasEstimate_ = false;
   bool fitted_ = false;

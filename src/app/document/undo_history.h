@@ -3,6 +3,7 @@
 // Undo by snapshots of a small state. Commands of one merge group that follow each other are one
 // step, which bears the name of the last: a drag of a slider is undone at once.
 
+#include <utility>
 #include <vector>
 
 #include <QString>
@@ -18,6 +19,11 @@ struct DocumentState {
 
 class UndoHistory {
  public:
+  UndoHistory() : UndoHistory(DocumentState()) {}
+  explicit UndoHistory(DocumentState beginning) {
+    steps_.push_back({{}, {}, std::move(beginning)});
+  }
+
   // Replaces the current state. mergeGroup: empty never merges.
   void push(const QString& name, const QString& mergeGroup, DocumentState state);
   // The next push starts a step of its own, whatever its group (a drag has ended).
@@ -43,7 +49,7 @@ class UndoHistory {
     QString group;
     DocumentState state;
   };
-  std::vector<Step> steps_ = {Step()};  // the first is the state at the beginning
+  std::vector<Step> steps_;  // the first is the state at the beginning
   std::size_t position_ = 0;
   bool open_ = false;  // the current step may still be merged into
 };

@@ -2,6 +2,8 @@
 
 // How a document is fitted: by which profile and method.
 
+#include <array>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -17,12 +19,24 @@ struct FitChoice {
   // One more factor per pixel (core/fit/shading.h).
   bool shading = false;
 
+  // Of the method refined alone, here and below; see core/fit/fit_options.h.
+  // Standard deviations, constant and proportional; the rig's unless given.
+  std::optional<std::array<double, 2>> noise = {};
+  std::string prior = {};  // the path of a file; empty: the profile's
+  std::array<std::optional<double>, kParameterCount> fixed = {};
+  FreeConstants free = {};
+  std::optional<bool> discrepancy = {};
+
   bool operator==(const FitChoice&) const = default;
+  // Whether anything is chosen that only the method refined knows, shading aside.
+  bool hasRefinements() const;
 };
 
-// Shading is for photographs and the method refined; anything else is refused with a sentence.
+// Shading is for photographs; it and the refinements are for the method refined, and they do not
+// all go together. Anything else is refused with a sentence.
 Status checkFitChoice(const FitChoice& choice, const Source& source);
 
-FitOptions fitOptions(const FitChoice& choice);
+// Reads the prior's file; the profile is the choice's, and what it does not allow is refused.
+Result<FitOptions> fitOptions(const FitChoice& choice, const Profile& profile);
 
 }  // namespace cutis

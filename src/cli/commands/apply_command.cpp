@@ -5,9 +5,11 @@
 
 #include "core/base/echoed_text.h"
 #include "src/app/export/export.h"
+#include "src/app/project/manifest.h"
 #include "src/cli/command.h"
 #include "src/cli/commands/fit_source.h"
 #include "src/cli/commands/maps_input.h"
+#include "src/cli/commands/project_input.h"
 #include "src/cli/options/edit_options.h"
 #include "src/cli/options/option_values.h"
 #include "src/images/capture/capture_file.h"
@@ -32,8 +34,12 @@ Status checkSources(const ApplyCommand& command) {
   if (command.sources.size() > 1) {
     return usageError(command.sources[1], "this version takes one source at a time; apply to one");
   }
-  if (command.sources.front().ends_with(".cutis")) {
-    return usageError(command.sources.front(), "projects are not in this version");
+  if (isProjectFile(command.sources.front())) {
+    const std::string given = command.maps.empty() ? firstGiven(command.fit) : "--maps";
+    if (given.empty()) return {};
+    return usageError(given,
+                      "a project says itself how its source is read and fitted; leave this "
+                      "out");
   }
   FitCommandOptions fitting = command.fit;
   fitting.layer.clear();  // chosen of the source, whoever fitted it
@@ -110,6 +116,15 @@ Result<EditedAlbedo> fitNow(const ApplyCommand& command, const FitRequest& reque
   return EditedAlbedo{{fitted.model, fitted.planes.maps, {}}, fitted.source};
 }
 
+Result<EditedAlbedo> open(const ApplyCommand& command, const FitRequest& request,
+                          const Session& session) {
+  const JobContext context = session.context.child(0.0, 0.6, "reading");
+  const std::string& source = command.sources.front();
+  if (isProjectFile(source)) return openProjectAlbedo(source, session, context);
+  return command.maps.empty() ? fitNow(command, request, session)
+                              : openWithMaps(command, session, context);
+}
+
 ExportTarget appliedTargetOf(const ApplyCommand& command, const FitRequest& request,
                              std::optional<SampleType> sampleType) {
   ExportTarget target = {.path = command.output,
@@ -131,13 +146,12 @@ Status runApplyCommand(const ApplyCommand& command, Session& session) {
   const ExportTarget target = appliedTargetOf(command, request, sampleType);
   CUTIS_CHECK(checkPictureTarget(target));
   const JobContext& context = session.context;
-  CUTIS_TRY(albedo, command.maps.empty()
-                        ? fitNow(command, request, session)
-                        : openWithMaps(command, session, context.child(0.0, 0.6, "reading")));
+  CUTIS_TRY(albedo, open(command, request, session));
   CUTIS_CHECK(loadEditMask(command.edit,
                            maskedPicture(*albedo.source, "'" + command.sources.front() + "'"),
                            session.store, context.child(0.6, 0.62), edits));
-  albedo.skin.edits = edits;
+  EditStack& all = albedo.skin.edits;  // those of a project come first
+  all.insert(all.end(), edits.begin(), edits.end());
   albedo.pure = command.pure;
   return exportTo(target, albedo, session.engine, session.store, context.child(0.62, 1.0));
 }
@@ -151,7 +165,11 @@ void addApplyCommand(CLI::App& app, Invocation& invocation) {
       "Edit a texture or a capture and write the edited albedo: the source times what the edit "
       "changes in the model, so that hair, pores and make-up survive",
       options, runApplyCommand);
-  command.add_option("SOURCE", options->sources, "Image, or folder or capture.json of a capture")
+  command
+      .add_option(
+          "SOURCE", options->sources,
+          "Image, folder or capture.json of a capture, or project (.cutis), whose edits come "
+          "before those of the options")
       ->required()
       ->type_name("");
   command.add_option("-o,--output", options->output, "Image to write: " + writtenExtensions())

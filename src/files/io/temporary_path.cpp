@@ -48,12 +48,19 @@ NameParts namePartsOf(const fs::path& path) {
           ".partial" + shortened(path.extension().string(), 100)};
 }
 
-// rest: of its name, from the process on.
-bool isAbandoned(const std::string& rest, const fs::path& path) {
+// Whether a process that is no more has named it: ".anything-PROCESS-NUMBER.partial.ext".
+bool isAbandoned(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const auto end = name.rfind(".partial");
+  if (!name.starts_with('.') || end == std::string::npos) return false;
+  const auto number = name.rfind('-', end);
+  const auto begin =
+      number == std::string::npos || number == 0 ? std::string::npos : name.rfind('-', number - 1);
+  if (begin == std::string::npos) return false;
   unsigned long process = 0;
-  const char* end = rest.data() + rest.size();
-  const auto [after, failure] = std::from_chars(rest.data(), end, process);
-  if (failure != std::errc() || after == end || *after != '-') return false;
+  const char* last = name.data() + number;
+  const auto [after, failure] = std::from_chars(name.data() + begin + 1, last, process);
+  if (failure != std::errc() || after != last) return false;
   // A number comes again; our own temporaries are known.
   if (process != processId()) return !isProcessAlive(process);
   const std::scoped_lock lock(registry().mutex);
@@ -74,17 +81,24 @@ fs::path temporaryBeside(const fs::path& path) {
          (parts.front + std::to_string(processId()) + "-" + std::to_string(serial++) + parts.back);
 }
 
-std::vector<fs::path> abandonedBeside(const fs::path& path) {
-  const NameParts parts = namePartsOf(path);
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+std::vector<fs::path> abandonedIn(const fs::path& folder) {
   std::vector<fs::path> abandoned;
   std::error_code error;
   for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator();
        at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (!name.starts_with(parts.front) || !name.ends_with(parts.back)) continue;
-    if (isAbandoned(name.substr(parts.front.size()), at->path())) abandoned.push_back(at->path());
+    if (isAbandoned(at->path())) abandoned.push_back(at->path());
   }
+  return abandoned;
+}
+
+std::vector<fs::path> abandonedBeside(const fs::path& path) {
+  const NameParts parts = namePartsOf(path);
+  std::vector<fs::path> abandoned =
+      abandonedIn(path.has_parent_path() ? path.parent_path() : fs::path("."));
+  std::erase_if(abandoned, [&](const fs::path& file) {
+    const std::string name = file.filename().string();
+    return !name.starts_with(parts.front) || !name.ends_with(parts.back);
+  });
   return abandoned;
 }
 

@@ -16,6 +16,8 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& path);
 
 // What temporaryBeside(path) named in processes that were killed, and that lies there still.
 std::vector<std::filesystem::path> abandonedBeside(const std::filesystem::path& path);
+// All such in a folder.
+std::vector<std::filesystem::path> abandonedIn(const std::filesystem::path& folder);
 
 // What is at the path, a file or a folder with all that is in it, is removed with this object,
 // unless it was renamed away, and by removeTemporaries().

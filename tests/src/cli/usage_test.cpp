@@ -31,8 +31,6 @@ const std::vector<Case> kCases = {
     {"train --rig albedo", "train: "},
     {"fit a.png b.png -o b.exr", "b.png: several images are not in this version"},
     {"render a.exr -o b.png --scatter", "--scatter: not in this version"},
-    {"edit a.exr -o b.exr --preset c", "--preset: not in this version"},
-    {"apply a.cutis -o b.png", "a.cutis: projects are not in this version"},
     {"fit-spectra a.csv -o b.csv --specular both",
      "--specular: 'both' is unknown; choose included, excluded or cross-polarised"},
     {"fit-spectra a.csv -o b.csv --range 400-700", "--range: '400-700' is not a range"},

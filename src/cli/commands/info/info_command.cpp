@@ -38,7 +38,7 @@ void addInfoCommand(CLI::App& app, Invocation& invocation) {
       addCommand(app, invocation, "info", "What a file is, or what this program has and runs on",
                  options, runInfoCommand);
   addOption(command, "FILE", options->file, "",
-            "Image, maps, capture, rig, profile, recipe or cached table");
+            "Image, maps, capture, project, rig, profile, recipe or cached table");
   addOption(command, "--layer", options->layer, "NAME", "Layer or part of an OpenEXR image");
   command.add_flag("--system", options->system,
                    "Version, machine, and the built-in profiles, rigs, lights, observers and "

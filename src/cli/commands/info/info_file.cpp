@@ -9,6 +9,9 @@
 #include "core/base/echoed_text.h"
 #include "core/base/number_text.h"
 #include "core/base/word_list.h"
+#include "src/app/project/manifest.h"
+#include "src/cli/commands/info/info_line.h"
+#include "src/cli/commands/info/info_project.h"
 #include "src/files/io/json_file.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/recipe_file.h"
@@ -24,10 +27,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kTableMark = "CUTIS TABLE 1\n";
-
-std::string line(const std::string& name, const std::string& value) {
-  return value.empty() ? "" : onOneLine(name + ": " + value) + "\n";
-}
 
 std::string sizeText(int width, int height) {
   return std::to_string(width) + " × " + std::to_string(height);
@@ -236,6 +235,7 @@ Result<std::string> describeFile(const std::string& path, const std::string& lay
   if (!layer.empty()) return describeImage(path, layer, session);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return describeCapture(path, session);
+  if (isProjectFile(path)) return describeProject(path, session);
   if (looksLikeCapture(path)) return describeJson(path, session);
   if (isTable(path)) {
     return line("kind", "cached table of skin; it can be deleted and is then built again") +

@@ -1,4 +1,4 @@
-#include "ui/docks/history_panel.h"
+#include "ui/edits/history_panel.h"
 
 #include <QSignalBlocker>
 

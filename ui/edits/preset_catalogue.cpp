@@ -1,4 +1,4 @@
-#include "ui/docks/preset_catalogue.h"
+#include "ui/edits/preset_catalogue.h"
 
 #include <QCoreApplication>
 

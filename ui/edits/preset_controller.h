@@ -50,8 +50,4 @@ class PresetController : public QObject {
   QWidget* window_;
 };
 
-// Whether the sliders of the edit panel show all of it: one factor for each parameter within their
-// scale, in one edit of the whole picture.
-bool slidersShow(const EditStack& edits);
-
 }  // namespace cutis

@@ -4,8 +4,8 @@
 
 #include <QIcon>
 
-namespace cutis::theme {
+namespace cutis {
 
 QIcon windowIcon();
 
-}  // namespace cutis::theme
+}  // namespace cutis

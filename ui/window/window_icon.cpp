@@ -1,4 +1,4 @@
-#include "ui/theme/window_icon.h"
+#include "ui/window/window_icon.h"
 
 #include <string>
 
@@ -6,7 +6,7 @@
 
 #include "src/files/resources.h"
 
-namespace cutis::theme {
+namespace cutis {
 
 QIcon windowIcon() {
   QIcon icon;
@@ -21,4 +21,4 @@ QIcon windowIcon() {
   return icon;
 }
 
-}  // namespace cutis::theme
+}  // namespace cutis

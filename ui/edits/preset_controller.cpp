@@ -1,4 +1,4 @@
-#include "ui/docks/preset_controller.h"
+#include "ui/edits/preset_controller.h"
 
 #include <algorithm>
 
@@ -13,10 +13,10 @@
 #include "src/files/io/text_file.h"
 #include "src/files/resources.h"
 #include "ui/dialogs/file_to_write.h"
-#include "ui/docks/preset_catalogue.h"
+#include "ui/docks/edit_controller.h"
+#include "ui/edits/preset_catalogue.h"
 #include "ui/view/view_controller.h"
 #include "ui/widgets/progress_strip.h"
-#include "ui/widgets/slider_scale.h"
 
 namespace cutis {
 namespace {
@@ -26,16 +26,6 @@ QString presetFilter() {
 }
 
 }  // namespace
-
-bool slidersShow(const EditStack& edits) {
-  const SliderScale scale;
-  if (edits.empty()) return true;
-  const Edit& edit = edits.front();
-  return edits.size() == 1 && edit.enabled && edit.opacity == 1.0 && edit.mask.empty() &&
-         std::all_of(edit.parameters.begin(), edit.parameters.end(), [&](const ParameterEdit& p) {
-           return p.add == 0.0 && !p.set && p.scale >= scale.minimum && p.scale <= scale.maximum;
-         });
-}
 
 PresetController::PresetController(Document& document, ViewController& views,
                                    ProgressStrip& progress, QWidget* window)

@@ -1,6 +1,6 @@
-#include "ui/docks/history_controller.h"
+#include "ui/edits/history_controller.h"
 
-#include "ui/docks/history_panel.h"
+#include "ui/edits/history_panel.h"
 
 namespace cutis {
 

@@ -1,0 +1,73 @@
+#include "ui/window/source_finder.h"
+
+#include <QFileDialog>
+
+#include "src/app/document/document.h"
+#include "ui/dialogs/last_folder.h"
+#include "ui/dialogs/question.h"
+#include "ui/window/document_page.h"
+#include "ui/window/document_tabs.h"
+
+namespace cutis {
+namespace {
+
+QString nameOf(const std::filesystem::path& path) {
+  return QString::fromStdString(path.filename().string());
+}
+
+}  // namespace
+
+SourceFinder::SourceFinder(DocumentTabs& tabs, QWidget& window)
+    : QObject(&window), tabs_(tabs), window_(window) {}
+
+void SourceFinder::watch(DocumentPage& page) {
+  const auto searchFor = [&page](const MissingSource& missing) {
+    return Search{missing, missing.path.empty() ? page.journal() : nullptr};
+  };
+  const Document* document = &page.document();
+  connect(document, &Document::sourceMissing, this,
+          [this, searchFor](const MissingSource& missing) { ask(searchFor(missing)); });
+  connect(document, &Document::otherSourceFound, this,
+          [this, searchFor](const MissingSource& missing, const QString& found) {
+            askWhetherOther(searchFor(missing), found);
+          });
+}
+
+void SourceFinder::ask(const Search& search) {
+  const MissingSource& missing = search.missing;
+  const QString project = missing.path.empty() ? tr("What was not saved") : nameOf(missing.path);
+  askQuestion(
+      window_, tr("%1 needs %2, which is not there.").arg(project, nameOf(missing.file)),
+      tr("It was in %1. If it has moved, choose it at its new place; other files that moved with "
+         "it "
+         "are found by themselves.")
+          .arg(QString::fromStdString(missing.file.parent_path().string())),
+      {{tr("Choose the file…"), QMessageBox::AcceptRole, [this, search] { choose(search); }},
+       {tr("Cancel"), QMessageBox::RejectRole}});
+}
+
+void SourceFinder::askWhetherOther(const Search& search, const QString& found) {
+  askQuestion(
+      window_,
+      tr("%1 is not the file that the project was saved with.").arg(nameOf(found.toStdString())),
+      tr("Its content is another. If you use it, it is fitted again and the edits are kept."),
+      {{tr("Choose another…"), QMessageBox::AcceptRole, [this, search] { choose(search); }},
+       {tr("Use it"), QMessageBox::DestructiveRole,
+        [this, search, found] {
+          tabs_.pageToOpenIn().openRelinked(search.missing, found.toStdString(), true,
+                                            search.journal);
+        }},
+       {tr("Cancel"), QMessageBox::RejectRole}});
+}
+
+void SourceFinder::choose(const Search& search) {
+  const QString name = nameOf(search.missing.file);
+  const QString found =
+      QFileDialog::getOpenFileName(&window_, tr("Where is %1?").arg(name), lastFolder("open"),
+                                   tr("%1 (%1);;All files (*)").arg(name));
+  if (found.isEmpty()) return;
+  rememberFolderOf("open", found);
+  tabs_.pageToOpenIn().openRelinked(search.missing, found.toStdString(), false, search.journal);
+}
+
+}  // namespace cutis
