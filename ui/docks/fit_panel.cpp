@@ -20,8 +20,8 @@ FitPanel::FitPanel(QWidget* parent)
       load_(new QPushButton(tr("Load…"), this)),
       method_(new QComboBox(this)),
       shading_(new QCheckBox(tr("Estimate shading"), this)),
-      options_(new QPushButton(tr("Options…"), this)),
       fit_(new QPushButton(tr("Fit"), this)),
+      options_(new QPushButton(tr("Options…"), this)),
       offer_(new QWidget(this)) {
   setAccessibleName(tr("Fit"));
   profile_->setAccessibleName(tr("Profile"));
@@ -40,10 +40,10 @@ FitPanel::FitPanel(QWidget* parent)
   connect(method_, &QComboBox::activated, this, notify);
   connect(shading_, &QCheckBox::clicked, this, notify);
   connect(load_, &QPushButton::clicked, this, &FitPanel::loadWanted);
-  connect(options_, &QPushButton::clicked, this, &FitPanel::optionsWanted);
   connect(fit_, &QPushButton::clicked, this, &FitPanel::fitWanted);
   fit_->setToolTip(tr("The fit was cancelled; do it now"));
   setFitOffered(false);
+  connect(options_, &QPushButton::clicked, this, &FitPanel::optionsWanted);
   show({}, Subject::photographs);
 }
 
@@ -166,13 +166,13 @@ void FitPanel::showShading(const FitChoice& choice, Subject subject) {
   }
 }
 
+void FitPanel::setFitOffered(bool offered) {
+  fit_->setVisible(offered);
+}
+
 void FitPanel::showOptions(const FitChoice& choice) {
   options_->setText(choice.hasRefinements() ? tr("Options (set)…") : tr("Options…"));
   options_->setToolTip(tr("Noise, prior, parameters that are held, constants found per pixel"));
-}
-
-void FitPanel::setFitOffered(bool offered) {
-  fit_->setVisible(offered);
 }
 
 void FitPanel::offerTraining() {

@@ -43,8 +43,8 @@ class FitPanel : public QWidget {
   // By the user, also where the choice is what it was.
   void changed(const cutis::FitChoice& choice);
   void loadWanted();
-  void optionsWanted();
   void fitWanted();
+  void optionsWanted();
   void trainingOffered();
   void trainingWanted();
 
@@ -61,8 +61,8 @@ class FitPanel : public QWidget {
   QPushButton* load_;
   QComboBox* method_;
   QCheckBox* shading_;
-  QPushButton* options_;
   QPushButton* fit_;
+  QPushButton* options_;
   QWidget* offer_;
   FitChoice shown_;  // with what the panel has no control for
   QString tried_;    // offered, but nobody knows yet whether it is a profile

@@ -10,7 +10,6 @@
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
 #include "src/app/project/manifest.h"
-#include "src/files/io/free_memory.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"
 
@@ -47,20 +46,19 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
   // Cancelled by the user: a fit that is replaced or has failed is no longer under way here.
   connect(&jobs, &JobRunner::finished, this, [this](JobId job) {
     if (job == fitting_ && !fitted_) backToLastFit();
+    if (job == opening_) endPreview();
     if (job == saving_) {
       saving_ = 0;
       saveNext_.clear();
       Q_EMIT notSaved();
     }
-    if (job == opening_) endPreview();
   });
 }
 
 void Document::openSample() {
-  startOpening(tr("Sample face patch"), {}, {},
-               [this, choice = usualFit_](const JobContext& context) {
-                 return openedSource({}, choice, context);
-               });
+  startOpening(tr("Sample face patch"), {}, [this, choice = usualFit_](const JobContext& context) {
+    return openedSource({}, choice, context);
+  });
 }
 
 void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
@@ -71,17 +69,19 @@ void Document::open(const std::filesystem::path& path, const OpenChoice& choice)
                                 choice.source,
                                 choice.chooseExposure,
                                 {}};
-  startOpening(name, path, choice.source,
-               [this, source, fit = usualFit_](const JobContext& context) -> Result<Opened> {
-                 ProjectSource found = source;
-                 if (looksLikeCapture(source.path)) {
-                   found.kind = SourceKind::capture;
-                 } else if (isMapsFile(source.path)) {
-                   found.kind = SourceKind::maps;
-                   return openedMaps(found, context);
-                 }
-                 return openedSource(found, fit, context);
-               });
+  startOpening(
+      name, path,
+      [this, source, fit = usualFit_](const JobContext& context) -> Result<Opened> {
+        ProjectSource found = source;
+        if (looksLikeCapture(source.path)) {
+          found.kind = SourceKind::capture;
+        } else if (isMapsFile(source.path)) {
+          found.kind = SourceKind::maps;
+          return openedMaps(found, context);
+        }
+        return openedSource(found, fit, context);
+      },
+      choice.source);
 }
 
 JobContext Document::contextOf(const JobRunner::Handle& job) {
@@ -92,17 +92,18 @@ JobContext Document::contextOf(const JobRunner::Handle& job) {
   return context;
 }
 
-void Document::startOpening(const QString& name, const std::filesystem::path& path,
-                            const SourceOptions& options, Opener open) {
+void Document::startOpening(const QString& name, const std::filesystem::path& path, Opener open,
+                            const std::optional<SourceOptions>& preview) {
   jobs_.cancel(opening_);
   Q_EMIT openingStarted();
-  const bool showsPreview = !isOpen() && !path.empty();
-  opening_ =
-      jobs_.start(tr("Open %1").arg(name), [this, name, path, options, showsPreview,
-                                            open = std::move(open)](const JobRunner::Handle& job) {
-        auto preview = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
-        if (preview)
-          job.post([this, name, shown = *std::move(preview)] { showPreview(name, shown); });
+  const bool showsPreview = !isOpen() && preview.has_value();
+  opening_ = jobs_.start(
+      tr("Open %1").arg(name),
+      [this, name, path, options = preview.value_or(SourceOptions()), showsPreview,
+       open = std::move(open)](const JobRunner::Handle& job) {
+        auto coarse = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
+        if (coarse)
+          job.post([this, name, shown = *std::move(coarse)] { showPreview(name, shown); });
         auto opened = open(contextOf(job));
         if (opened.failed()) {
           job.post([this, path, sentence = sentenceOf(opened.error())] {
@@ -113,16 +114,6 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
           job.post([this, result = opened.value()] { takeOrReport(result); });
         }
       });
-}
-
-void Document::showPreview(const QString& name, const SourcePreview& preview) {
-  name_ = name;
-  isPreviewed_ = true;
-  Q_EMIT previewed(preview);
-}
-
-void Document::endPreview() {
-  if (std::exchange(isPreviewed_, false)) Q_EMIT previewEnded();
 }
 
 Result<Document::Opened> Document::openedSource(ProjectSource source, const FitChoice& choice,
@@ -172,7 +163,7 @@ void Document::take(const Opened& opened) {
   choice_ = opened.project.fit;
   name_ = opened.name;
   isPreviewed_ = false;
-  hasEstimate_ = opened.isFitted || scene_->source == nullptr;
+  hasEstimate_ = scene_->source == nullptr || opened.isFitted;
   fitted_ = false;
   statistics_ = {};
   lastFit_.reset();
@@ -301,11 +292,6 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
       Q_EMIT noticed(sentence);
     }
   }
-}
-
-// What a fit and pictures before it have left.
-void Document::giveMemoryBack() {
-  jobs_.startQuiet([](const JobRunner::Handle&) { giveFreeMemoryBack(); });
 }
 
 void Document::backToLastFit() {

@@ -209,9 +209,9 @@ class Document : public QObject {
   };
   using Opener = std::function<Result<Opened>(const JobContext& context)>;
 
-  // path: empty for the sample.
-  void startOpening(const QString& name, const std::filesystem::path& path,
-                    const SourceOptions& options, Opener open);
+  // path: empty for the sample. preview: how the file is read, where it can be seen coarsely first.
+  void startOpening(const QString& name, const std::filesystem::path& path, Opener open,
+                    const std::optional<SourceOptions>& preview = std::nullopt);
   void showPreview(const QString& name, const SourcePreview& preview);
   void endPreview();
   void openProject(const std::filesystem::path& path);

@@ -28,7 +28,7 @@ std::string textOf(const EditStack& edits) {
 }  // namespace
 
 void Document::openProject(const fs::path& path) {
-  startOpening(textOf(path.filename()), path, {},
+  startOpening(textOf(path.filename()), path,
                [this, path](const JobContext& context) -> Result<Opened> {
                  removeLeftovers(path);
                  CUTIS_TRY(project, readProject(path, context.notice));
@@ -87,11 +87,11 @@ void Document::openRelinked(const MissingSource& missing, const fs::path& found,
     opened.isUnsaved = missing.path.empty();
     return opened;
   };
-  startOpening(textOf(found.filename()), missing.path, {}, open);
+  startOpening(textOf(found.filename()), missing.path, open);
 }
 
 void Document::recover(const Project& project) {
-  startOpening(tr("what was not saved"), {}, {},
+  startOpening(tr("what was not saved"), {},
                [this, project](const JobContext& context) -> Result<Opened> {
                  CUTIS_TRY(opened, openedProject(project, {}, context));
                  opened.isUnsaved = true;
@@ -216,7 +216,7 @@ void Document::checkSource() {
 }
 
 void Document::reload() {
-  startOpening(name_, state_.source.path, state_.source.options,
+  startOpening(name_, state_.source.path,
                [this, source = state_.source, choice = choice_,
                 name = name_](const JobContext& context) -> Result<Opened> {
                  CUTIS_TRY(opened, source.kind == SourceKind::maps
