@@ -99,7 +99,10 @@ class EditPanelTest : public test::UiTest {
   void resetIsOfferedWhereThereIsSomethingToReset() {
     EditPanel panel;
     QSignalSpy reset(&panel, &EditPanel::resetWanted);
-    auto* button = panel.findChild<QPushButton*>();
+    QPushButton* button = nullptr;
+    for (QPushButton* found : panel.findChildren<QPushButton*>()) {
+      if (found->text() == "Reset") button = found;
+    }
     QVERIFY(!button->isEnabled());
     panel.setFactors({2, 1, 1, 1, 1});
     QTest::mouseClick(button, Qt::LeftButton);

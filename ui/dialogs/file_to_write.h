@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/dialogs
+#pragma once
 
 // Asks the user for the name of a file that is to be written. Interface thread only.
 

@@ -54,6 +54,8 @@ class ShortcutSheetTest : public test::UiTest {
     QCOMPARE(rowOf("view.whole")->text(1), QString("Ctrl+G"));
     QVERIFY(rowOf("view.whole")->font(1).bold());
     sheet_->close();
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     QTest::keyClick(window_.get(), Qt::Key_G, Qt::ControlModifier);
     QCOMPARE(ran_, QStringList{"view.whole"});
     QTest::keyClick(window_.get(), Qt::Key_F);
@@ -71,7 +73,7 @@ class ShortcutSheetTest : public test::UiTest {
     // It still waits for other keys.
     QTest::keyClick(catcher(), Qt::Key_Question, Qt::ShiftModifier);
     QCOMPARE(commands_->action("view.whole")->shortcut(), QKeySequence(Qt::Key_Question));
-    QVERIFY(catcher() == nullptr);
+    QTRY_VERIFY(catcher() == nullptr);
   }
 
   void keysOfControlsAreNotTaken() {
@@ -113,7 +115,7 @@ class ShortcutSheetTest : public test::UiTest {
     start();
     QCOMPARE(commands_->action("edit.undo")->shortcut(), QKeySequence(Qt::Key_F));
     QCOMPARE(commands_->action("view.whole")->shortcut(), QKeySequence("Ctrl+Z"));
-    QSettings().setValue("shortcuts/view.whole", QStringList{"F", "no such key"});
+    QSettings().setValue("shortcuts/view.whole", QStringList{"F"});
     start();
     QVERIFY(commands_->action("view.whole")->shortcuts().isEmpty());
   }
