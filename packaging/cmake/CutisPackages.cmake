@@ -52,15 +52,15 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME cutis-cli)
 set(CPACK_DEBIAN_CLI_DESCRIPTION "chromophores of human skin from photographs (command line)
-Takes photographs of human skin under known lights, or an albedo texture, apart into maps of
-melanin, blood and carotene, edits them, and gives back the edited albedo or the same skin under
-another light.")
+Takes photographs of human skin under known lights, or an albedo texture,
+apart into maps of melanin, blood and carotene, edits them, and gives back the
+edited albedo or the same skin under another light.")
 
 set(CPACK_DEBIAN_EDITOR_PACKAGE_NAME cutis)
 set(CPACK_DEBIAN_EDITOR_PACKAGE_RECOMMENDS "qt6-wayland")
 set(CPACK_DEBIAN_EDITOR_PACKAGE_SUGGESTS "cutis-cli")
 set(CPACK_DEBIAN_EDITOR_DESCRIPTION "editor for human skin: from photographs to chromophores and back
-Takes photographs of human skin under known lights, or an albedo texture, apart into maps of
-melanin, blood and carotene, lets them be edited, and gives back the edited albedo or the same skin
-under another light.")
+Takes photographs of human skin under known lights, or an albedo texture,
+apart into maps of melanin, blood and carotene, lets them be edited, and gives
+back the edited albedo or the same skin under another light.")
 include(CPack)
