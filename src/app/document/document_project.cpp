@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/fit/discrepancy_choice.h"
 #include "src/app/document/document.h"
 #include "src/app/project/manifest.h"
 #include "src/app/project/project_save.h"
@@ -141,13 +142,17 @@ std::function<Result<MapsFile>()> Document::mapsFile() const {
   fitted.model = scene_->model;
   fitted.source = scene_->source;
   fitted.planes.maps = scene_->maps;
-  fitted.method = choice_.method;
-  return [fitted, profile = choice_.profile, &engine = engine_]() -> Result<MapsFile> {
-    CUTIS_TRY(text, profileText(profile, {}));
-    CUTIS_TRY(model, engine.modelFromText(text, profile));
-    if (model == fitted.model) return mapsFileOf(fitted, text);
-    return inputError(profile,
-                      "the profile has changed since it was fitted with; choose the profile again");
+  return [fitted, choice = choice_, &engine = engine_]() mutable -> Result<MapsFile> {
+    CUTIS_TRY(text, profileText(choice.profile, {}));
+    CUTIS_TRY(model, engine.modelFromText(text, choice.profile));
+    if (model != fitted.model) {
+      return inputError(choice.profile,
+                        "the profile has changed since it was fitted with; choose the profile "
+                        "again");
+    }
+    CUTIS_TRY(options, fitOptions(choice, model->profile()));
+    fitted.options = suitedTo(fitted.source->measurements, options);
+    return mapsFileOf(fitted, text);
   };
 }
 
