@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -46,6 +47,7 @@ void Viewport::setPictureSize(int width, int height) {
   images_ = {};
   toldStep_ = 0;
   geometry_.setPicture({width, height});
+  placeToShow_.reset();
   viewMoved();
 }
 
@@ -102,6 +104,10 @@ void Viewport::zoomBy(double factor) {
 }
 
 void Viewport::showPlace(const QPointF& image, double zoom) {
+  if (size().isEmpty() || !geometry_.hasPicture()) {
+    placeToShow_ = {image, zoom};
+    return;
+  }
   geometry_.zoomTo(zoom, geometry_.middle());
   geometry_.pan(geometry_.middle() - geometry_.toDevice(image));
   viewMoved();
@@ -193,6 +199,7 @@ void Viewport::resizeEvent(QResizeEvent*) {
   const double ratio = devicePixelRatioF();
   geometry_.setView((QSizeF(size()) * ratio).toSize(), kFitMargin * ratio);
   viewMoved();
+  if (const auto place = std::exchange(placeToShow_, {})) showPlace(place->first, place->second);
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {

@@ -9,6 +9,7 @@
 // that is a field of text. Interface thread only.
 
 #include <optional>
+#include <utility>
 
 #include <QImage>
 #include <QPoint>
@@ -48,7 +49,8 @@ class Viewport : public QWidget {
   bool fitted() const { return geometry_.fitted(); }
   // The image point in the middle of the view.
   QPointF middle() const { return geometry_.toImage(geometry_.middle()); }
-  // Brings an image point into the middle, at this zoom.
+  // Brings an image point into the middle, at this zoom; of a view that was never laid out once it
+  // is.
   void showPlace(const QPointF& image, double zoom);
   // As viewChanged last reported; empty without a picture.
   Rect visibleRect() const { return geometry_.visible(); }
@@ -115,6 +117,7 @@ class Viewport : public QWidget {
   bool cursorOnPicture_ = false;
   bool spaceHeld_ = false;
   bool showFocus_ = false;
+  std::optional<std::pair<QPointF, double>> placeToShow_;  // once there is a size
 };
 
 }  // namespace cutis

@@ -70,7 +70,8 @@ bool CloseGuard::mayClose() {
 }
 
 void CloseGuard::close(const Pages& pages, const std::function<void()>& go) {
-  if (question_) {
+  // One that is answered is gone a moment later.
+  if (question_ && question_->isVisible()) {
     question_->raise();
     return question_->activateWindow();
   }
