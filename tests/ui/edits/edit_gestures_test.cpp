@@ -1,6 +1,8 @@
 // Sliders, keys and wheel as they change a document, on the embedded sample.
 
+#include <array>
 #include <cmath>
+#include <memory>
 
 #include <QCheckBox>
 #include <QLineEdit>
@@ -35,22 +37,10 @@ class EditGesturesTest : public test::UiTest {
  private slots:
   void initTestCase() {
     factors_.attach(panel_);
-    auto* column = new QVBoxLayout(&window_);
-    column->addWidget(&viewport_, 1);
-    column->addWidget(&scroll_, 1);
-    column->addWidget(&history_);
-    window_.resize(320, 700);
-    auto* undo = new QShortcut(QKeySequence::Undo, &window_);
-    connect(undo, &QShortcut::activated, this, [this] { document_.undo(); });
     document_.openSample();
     QTRY_VERIFY_WITH_TIMEOUT(document_.isFitted(), kGesturePatienceMs);
   }
-  void cleanupTestCase() {
-    jobs_.stopAll();
-    for (QWidget* part : {static_cast<QWidget*>(&viewport_), static_cast<QWidget*>(&scroll_),
-                          static_cast<QWidget*>(&history_)})
-      part->setParent(nullptr);
-  }
+  void cleanupTestCase() { jobs_.stopAll(); }
 
   void aBurstOfKeysIsOneStep() {
     NeutralSlider* melanin = slider("Melanin");
@@ -174,17 +164,32 @@ class EditGesturesTest : public test::UiTest {
   }
 
  private:
+  // A window of its own for each test: one that was hidden would not become active again.
   void setUp() override {
-    if (!document_.isOpen()) return;
     document_.goToStep(0);
-    window_.show();
-    window_.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&window_));
+    window_ = std::make_unique<QWidget>();
+    auto* column = new QVBoxLayout(window_.get());
+    column->addWidget(&viewport_, 1);
+    column->addWidget(&scroll_, 1);
+    column->addWidget(&history_);
+    auto* undo = new QShortcut(QKeySequence::Undo, window_.get());
+    connect(undo, &QShortcut::activated, this, [this] { document_.undo(); });
+    window_->resize(320, 700);
+    for (QWidget* part : parts())
+      part->show();
+    window_->show();
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     viewport_.setFocus();
     QTRY_VERIFY(viewport_.hasFocus());
   }
-  void tearDown() override { window_.hide(); }
+  void tearDown() override {
+    for (QWidget* part : parts())
+      part->setParent(nullptr);
+    window_.reset();
+  }
 
+  std::array<QWidget*, 3> parts() { return {&viewport_, &scroll_, &history_}; }
   int steps() const { return static_cast<int>(document_.history().position()); }
   double factor(Parameter parameter) const {
     const EditStack& edits = document_.scene().edits;
@@ -208,7 +213,7 @@ class EditGesturesTest : public test::UiTest {
   JobRunner jobs_;
   Document document_{engine_, jobs_};
   ViewServer server_{document_, engine_, jobs_};
-  QWidget window_;
+  std::unique_ptr<QWidget> window_;
   Viewport viewport_;
   EditPanel& panel_ = *new EditPanel;
   PanelScroll scroll_{&panel_};
