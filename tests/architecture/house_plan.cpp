@@ -122,9 +122,12 @@ constexpr Room kRooms[] = {
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},
     {"ui/edits", "core/* src/files/* src/app/* ui/theme ui/widgets ui/view ui/docks ui/dialogs"},
+    {"ui/documents",
+     "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view ui/docks "
+     "ui/dialogs ui/edits"},
     {"ui/window",
      "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/commands ui/plot ui/widgets "
-     "ui/view ui/docks ui/dialogs ui/edits"},
+     "ui/view ui/docks ui/dialogs ui/edits ui/documents"},
     {"src/cutis", "core/* src/files/* src/images/* src/color src/app/* ui/*"},
 };
 

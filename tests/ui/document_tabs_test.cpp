@@ -1,6 +1,6 @@
 // Several documents in one window, by mouse and keys.
 
-#include "ui/window/document_tabs.h"
+#include "ui/documents/document_tabs.h"
 
 #include <QImage>
 #include <QSettings>
@@ -14,9 +14,9 @@
 #include "ui/dialogs/open_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/documents/document_page.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"
-#include "ui/window/document_page.h"
 #include "ui/window/main_window.h"
 
 namespace cutis {

@@ -17,14 +17,14 @@
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/docks/edit_controller.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
 #include "ui/plot/spectrum_plot.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/neutral_slider.h"
 #include "ui/widgets/progress_strip.h"
-#include "ui/window/document_page.h"
-#include "ui/window/document_tabs.h"
 
 namespace cutis {
 namespace {

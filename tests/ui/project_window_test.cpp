@@ -21,12 +21,12 @@
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/save_controller.h"
 #include "ui/docks/edit_controller.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/progress_strip.h"
-#include "ui/window/document_page.h"
-#include "ui/window/document_tabs.h"
 #include "ui/window/main_window.h"
 
 namespace cutis {

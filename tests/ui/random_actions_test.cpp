@@ -13,10 +13,10 @@
 #include "tests/ui/ui_test.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/neutral_slider.h"
-#include "ui/window/document_page.h"
-#include "ui/window/document_tabs.h"
 #include "ui/window/main_window.h"
 
 namespace cutis {

@@ -3,8 +3,8 @@
 // What the rows of the table of commands work on. The window owns it all; rows are made once
 // everything is there, and are gone before it.
 
-#include "ui/window/document_page.h"
-#include "ui/window/document_tabs.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
 
 namespace cutis {
 

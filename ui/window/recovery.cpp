@@ -5,9 +5,9 @@
 
 #include "src/app/project/manifest.h"
 #include "ui/dialogs/question.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
 #include "ui/widgets/progress_strip.h"
-#include "ui/window/document_page.h"
-#include "ui/window/document_tabs.h"
 
 namespace cutis {
 namespace {

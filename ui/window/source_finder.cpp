@@ -5,8 +5,8 @@
 #include "src/app/document/document.h"
 #include "ui/dialogs/last_folder.h"
 #include "ui/dialogs/question.h"
-#include "ui/window/document_page.h"
-#include "ui/window/document_tabs.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
 
 namespace cutis {
 namespace {

@@ -32,9 +32,8 @@ Result<EditedAlbedo> openProjectAlbedo(const std::string& path, const Session& s
   }
   CUTIS_CHECK(checkFitChoice(project.fit, *opened.source));
   CUTIS_TRY(options, fitOptions(project.fit, opened.model->profile()));
-  CUTIS_TRY(fitted,
-            fitSource(opened.model, opened.source, {options, project.source.chooseExposure},
-                      session.engine, session.store, context.child(kProjectRead, 1.0)));
+  CUTIS_TRY(fitted, fitSource(opened.model, opened.source, {options, project.source.chooseExposure},
+                              session.engine, session.store, context.child(kProjectRead, 1.0)));
   for (const FitRemark& remark : fitted.remarks)
     context.say(path + ": " + remark.sentence);
   albedo.source = fitted.source;

@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images/codec
+#pragma once
 
 // A picture's file before its format is asked: is it there, what kind is it, what does it contain.
 

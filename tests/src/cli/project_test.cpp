@@ -28,11 +28,13 @@ class ProjectTest : public QObject {
   }
 
   void appliedItIsTheSourceWithItsEdits() {
-    QCOMPARE(run_.run("apply skin.png -o a.png --melanin 0.5 --quiet").status, 0);
+    QCOMPARE(run_.run("apply skin.png -o a.png --profile skin2026 --melanin 0.5 --quiet").status,
+             0);
     QCOMPARE(run_.run("apply face.cutis -o b.png --quiet").status, 0);
     QCOMPARE(run_.read("b.png"), run_.read("a.png"));
     // The options' edit comes after those of the project.
-    QCOMPARE(run_.run("apply skin.png -o c.png --melanin 0.25 --quiet").status, 0);
+    QCOMPARE(run_.run("apply skin.png -o c.png --profile skin2026 --melanin 0.25 --quiet").status,
+             0);
     QCOMPARE(run_.run("apply face.cutis -o d.png --melanin 0.5 --quiet").status, 0);
     QCOMPARE(run_.read("d.png"), run_.read("c.png"));
   }

@@ -1,4 +1,4 @@
-#include "ui/window/document_page.h"
+#include "ui/documents/document_page.h"
 
 #include <utility>
 
@@ -14,13 +14,13 @@
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/light_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/documents/dock_catalogue.h"
+#include "ui/documents/project_view.h"
 #include "ui/edits/preset_controller.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/progress_strip.h"
-#include "ui/window/dock_catalogue.h"
-#include "ui/window/project_view.h"
 
 namespace cutis {
 

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/window
+#pragma once
 
 // How a page looks at its document, as a project keeps it.
 

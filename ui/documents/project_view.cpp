@@ -1,13 +1,13 @@
-#include "ui/window/project_view.h"
+#include "ui/documents/project_view.h"
 
 #include <array>
 #include <utility>
 
 #include "ui/docks/light_controller.h"
+#include "ui/documents/document_page.h"
 #include "ui/view/view_catalogue.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
-#include "ui/window/document_page.h"
 
 namespace cutis {
 namespace {

@@ -20,9 +20,9 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
 #include "ui/widgets/progress_strip.h"
-#include "ui/window/document_page.h"
-#include "ui/window/document_tabs.h"
 #include "ui/window/main_window.h"
 
 namespace cutis {

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/window
+#pragma once
 
 // What the window has of one document: the document itself, its picture, its docks and all that
 // works for it. A page that nothing was opened in yet is blank. Interface thread only.

@@ -1,4 +1,4 @@
-#include "ui/window/document_tabs.h"
+#include "ui/documents/document_tabs.h"
 
 #include <QMouseEvent>
 #include <QPointer>
@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 
 #include "ui/docks/workspace.h"
+#include "ui/documents/document_page.h"
 #include "ui/widgets/cross_button.h"
-#include "ui/window/document_page.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/window/dock_catalogue.h"
+#include "ui/documents/dock_catalogue.h"
 
 #include <QCoreApplication>
 
@@ -16,6 +16,7 @@
 #include "ui/docks/light_panel.h"
 #include "ui/docks/spectrum_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/documents/document_page.h"
 #include "ui/edits/history_controller.h"
 #include "ui/edits/history_panel.h"
 #include "ui/edits/preset_catalogue.h"
@@ -23,7 +24,6 @@
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
 #include "ui/widgets/panel_scroll.h"
-#include "ui/window/document_page.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/window
+#pragma once
 
 // The documents of the window, each on a page behind a tab of its own. There is always a current
 // page; it is blank while nothing is open. A document has its tab from the moment when it can be

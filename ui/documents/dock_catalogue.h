@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/window
+#pragma once  // internal to ui/documents
 
 #include <vector>
 
