@@ -259,6 +259,7 @@ class DocumentFitTest : public QObject {
 
   void whatThereIsToSayOfAFitIsSaid() {
     Document texture(engine_, jobs_);
+    texture.setUsualFit({"skin2026", FitMethod::refined, false});
     QSignalSpy said(&texture, &Document::noticed);
     texture.open(writeTexture(0.1));
     QTRY_VERIFY_WITH_TIMEOUT(texture.isOpen() && texture.isFitted(), kFitPatienceMs);
