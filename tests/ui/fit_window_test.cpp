@@ -97,6 +97,7 @@ class FitWindowTest : public test::UiTest {
 
   // Nothing is shown as if it were an estimate, and the fit can be had again.
   void aFirstFitThatIsCancelledIsOfferedAgain() {
+    window_->commands().run("file.close");
     QPushButton* fit = buttonNamed(*window_, "Fit");
     QVERIFY(!fit->isVisible());
     QSignalSpy opened(&window_->document(), &Document::opened);

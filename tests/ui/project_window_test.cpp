@@ -5,6 +5,7 @@
 
 #include <QFileDialog>
 #include <QImage>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -169,6 +170,7 @@ class ProjectWindowTest : public test::UiTest {
     QVERIFY(question()->text().contains("one.cutis needs one.png"));
     chooseInDialog(file("moved/one.png"));
     answer("Choose the file…");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->document().isOpen(), kProjectPatienceMs);
     waitUntilIdle();
     fs::rename(folder_ / "moved/one.png", folder_ / "one.png");
     QVERIFY(window_->document().isOpen());
@@ -332,16 +334,20 @@ class ProjectWindowTest : public test::UiTest {
     }
     QFAIL(qPrintable("no button " + text));
   }
-  // In the dialog of files that opens next.
+  // In the dialog of files that opens next, as if typed.
   void chooseInDialog(const QString& path) {
-    QTimer::singleShot(200, window_.get(), [path] {
+    auto* timer = new QTimer(window_.get());
+    connect(timer, &QTimer::timeout, window_.get(), [timer, path] {
       for (QWidget* widget : QApplication::topLevelWidgets()) {
         auto* dialog = qobject_cast<QFileDialog*>(widget);
         if (dialog == nullptr || !dialog->isVisible()) continue;
-        dialog->selectFile(path);
-        static_cast<QDialog*>(dialog)->done(QDialog::Accepted);
+        timer->deleteLater();
+        dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
+        static_cast<QDialog*>(dialog)->accept();
+        return;
       }
     });
+    timer->start(50);
   }
   QMenu* recentMenu() const {
     for (QMenu* menu : window_->findChildren<QMenu*>()) {
