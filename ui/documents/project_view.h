@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/documents
 
 // How a page looks at its document, as a project keeps it.
 
