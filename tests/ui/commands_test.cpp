@@ -95,8 +95,9 @@ class CommandsTest : public test::UiTest {
   // And nothing else can be done.
   void whileNothingIsOpenCommandsSayWhy() {
     const QStringList always = {"file.openSample",  "file.openCapture",     "file.openImage",
-                                "file.openImageAs", "file.openPhotographs", "file.quit",
-                                "help.palette",     "help.shortcuts",       "help.about"};
+                                "file.openImageAs", "file.openPhotographs", "file.clearPrivateData",
+                                "file.quit",        "help.palette",         "help.shortcuts",
+                                "help.about"};
     for (const CommandDescription& command : window_->commands().all()) {
       const QAction* action = window_->commands().action(command.id);
       QVERIFY2(action->isEnabled() == always.contains(command.id), qPrintable(command.id));

@@ -216,6 +216,20 @@ class ProjectWindowTest : public test::UiTest {
     QVERIFY2(question() == nullptr, "once");
   }
 
+  void whoeverTurnsAwayGetsTheEditsBack() {
+    saveProjectOfOne();
+    leaveJournal();
+    restart();
+    window_->keepJournals(folder_ / "journals");
+    QTest::keyClick(question(), Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->document().isOpen(), kProjectPatienceMs);
+    waitUntilIdle();
+    QVERIFY(window_->isWindowModified());
+    window_->commands().run("file.close");
+    answer("Discard");
+    QTRY_VERIFY(!window_->document().isOpen());
+  }
+
   void discardedJournalsAreGone() {
     saveProjectOfOne();
     leaveJournal();

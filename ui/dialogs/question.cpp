@@ -5,7 +5,7 @@
 namespace cutis {
 
 QMessageBox* askQuestion(QWidget& window, const QString& text, const QString& more,
-                         const std::vector<Answer>& answers) {
+                         const std::vector<Answer>& answers, EscapeAnswer escape) {
   auto* box = new QMessageBox(QMessageBox::Question, QObject::tr("Cutis"), text,
                               QMessageBox::NoButton, &window);
   box->setInformativeText(more);
@@ -14,7 +14,8 @@ QMessageBox* askQuestion(QWidget& window, const QString& text, const QString& mo
   for (const Answer& answer : answers)
     buttons.push_back(box->addButton(answer.text, answer.role));
   box->setDefaultButton(buttons.front());
-  box->setEscapeButton(buttons.back());
+  // Before it is shown: then it is settled what Escape does.
+  box->setEscapeButton(escape == EscapeAnswer::first ? buttons.front() : buttons.back());
   // From the event loop: what follows may close the window that the box belongs to.
   QObject::connect(box, &QDialog::finished, box, [box, buttons, answers] {
     for (std::size_t k = 0; k < answers.size(); ++k) {

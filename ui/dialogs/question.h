@@ -17,9 +17,12 @@ struct Answer {
   std::function<void()> then = {};  // may be empty
 };
 
-// The first answer is the usual one, the last that of Escape. The box goes with the window; then
-// nobody has answered.
+// Which of the answers Escape gives, and whoever closes the box.
+enum class EscapeAnswer { first, last };
+
+// The first answer is the usual one. The box goes with the window; then nobody has answered.
 QMessageBox* askQuestion(QWidget& window, const QString& text, const QString& more,
-                         const std::vector<Answer>& answers);
+                         const std::vector<Answer>& answers,
+                         EscapeAnswer escape = EscapeAnswer::last);
 
 }  // namespace cutis

@@ -1,6 +1,5 @@
 #include "ui/window/recovery.h"
 
-#include <QPushButton>
 #include <QStringList>
 
 #include "src/app/project/manifest.h"
@@ -56,14 +55,14 @@ void Recovery::offer() {
   };
   const auto recoverAll = [this, all] { recover(all); };
   // Whoever turns away without an answer gets the edits back.
-  QMessageBox* box = askQuestion(window_, tr("Cutis ended while edits were not saved."),
-                                 tr("The edits of %1 can be brought back. They open without a "
-                                    "project of their own and replace "
-                                    "no file.")
-                                     .arg(names.join(", ")),
-                                 {{tr("Bring back"), QMessageBox::AcceptRole, recoverAll},
-                                  {tr("Discard"), QMessageBox::DestructiveRole, discard}});
-  box->setEscapeButton(box->defaultButton());
+  askQuestion(
+      window_, tr("Cutis ended while edits were not saved."),
+      tr("The edits of %1 can be brought back. They open without a project of their own and "
+         "replace no file.")
+          .arg(names.join(", ")),
+      {{tr("Bring back"), QMessageBox::AcceptRole, recoverAll},
+       {tr("Discard"), QMessageBox::DestructiveRole, discard}},
+      EscapeAnswer::first);
 }
 
 void Recovery::recover(const std::vector<Left>& all) {
