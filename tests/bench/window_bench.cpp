@@ -137,6 +137,10 @@ class WindowBench {
     waitUntilIdle();
     drag();
     const double held = memory("VmRSS");
+    // Edits that are not saved would be asked about.
+    while (window_->document().history().canUndo())
+      window_->document().undo();
+    waitUntilIdle();
     window_->commands().run("file.close");
     pumpUntil(milliseconds() + 1000);
     std::printf("  memory: open %.0f MiB, closed %.0f MiB, at most %.0f MiB\n", held,
