@@ -250,6 +250,8 @@ class FitWindowTest : public test::UiTest {
         if (button->objectName().startsWith("qt_") || button->inherits("QLineEditIconButton")) {
           continue;
         }
+        // A bar has its buttons' names when it has something to say.
+        if (button->parentWidget()->isHidden()) continue;
         QVERIFY2(!button->text().isEmpty() || !button->accessibleName().isEmpty(),
                  button->metaObject()->className());
       }
