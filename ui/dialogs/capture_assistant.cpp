@@ -10,13 +10,12 @@
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 
 #include "src/files/rig_file.h"
-#include "ui/dialogs/format_filters.h"
+#include "ui/dialogs/file_field.h"
 #include "ui/theme/theme.h"
 
 namespace cutis {
@@ -85,7 +84,7 @@ CaptureAssistant::CaptureAssistant(const CaptureCandidates& candidates, QWidget*
       folder_(folderOf(candidates)),
       rigs_(new QComboBox(this)),
       encoding_(new QComboBox(this)),
-      mask_(new QLineEdit(text(maskBeside(candidates.photographs.front().path)), this)),
+      mask_(new FileField(maskTexts(), folder_, this)),
       note_(new QLabel(this)),
       write_(new QPushButton(tr("&Write capture.json and open"), this)) {
   setWindowTitle(tr("Photographs of one capture"));
@@ -200,25 +199,9 @@ QLayout* CaptureAssistant::form() {
   encoding_->setToolTip(tr("How the numbers of the photographs follow the light"));
   connect(encoding_, &QComboBox::currentIndexChanged, this, &CaptureAssistant::showThumbnails);
   form->addRow(tr("&Numbers"), encoding_);
-  auto* label = new QLabel(tr("&Mask"), this);
-  label->setBuddy(mask_);
-  form->addRow(label, maskRow());
+  mask_->setPath(maskBeside(candidates_.photographs.front().path));
+  form->addRow(tr("&Mask"), mask_);
   return form;
-}
-
-QLayout* CaptureAssistant::maskRow() {
-  mask_->setPlaceholderText(tr("None"));
-  mask_->setClearButtonEnabled(true);
-  mask_->setAccessibleName(tr("Mask"));
-  mask_->setToolTip(tr("A picture of the same size: black is left out"));
-  auto* browse = new QPushButton(tr("C&hoose…"), this);
-  browse->setAutoDefault(false);
-  connect(browse, &QPushButton::clicked, this, &CaptureAssistant::chooseMask);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(theme::kSpace);
-  row->addWidget(mask_, 1);
-  row->addWidget(browse);
-  return row;
 }
 
 QWidget* CaptureAssistant::buttons() {
@@ -320,13 +303,6 @@ void CaptureAssistant::check() {
                                : why);
 }
 
-void CaptureAssistant::chooseMask() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, tr("Choose mask"), text(folder_),
-                                   tr("Images (%1);;All files (*)").arg(readableImagePatterns()));
-  if (!file.isEmpty()) mask_->setText(file);
-}
-
 CaptureDescription CaptureAssistant::description() const {
   CaptureDescription description;
   description.rig = rigReference(rigs_->currentData().toString().toStdString(), folder_);
@@ -336,7 +312,7 @@ CaptureDescription CaptureAssistant::description() const {
     if (light >= rig_.lights.size()) continue;
     description.photographs.push_back({rig_.lights[light].name, candidates_.photographs[k].path});
   }
-  description.mask = mask_->text().toStdString();
+  description.mask = mask_->path();
   return description;
 }
 

@@ -13,10 +13,11 @@ class QCheckBox;
 class QComboBox;
 class QGridLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace cutis {
+
+class FileField;
 
 class CaptureAssistant : public QDialog {
   Q_OBJECT
@@ -45,11 +46,9 @@ class CaptureAssistant : public QDialog {
   QWidget* photographs();
   void addPhotograph(QGridLayout& grid, const CandidatePhotograph& photograph);
   QLayout* form();
-  QLayout* maskRow();
   QWidget* buttons();
   void takeRig();
   void chooseRig();
-  void chooseMask();
   void fillLights();
   void showThumbnails();
   void check();
@@ -61,7 +60,7 @@ class CaptureAssistant : public QDialog {
   std::vector<Row> rows_;
   QComboBox* rigs_;
   QComboBox* encoding_;
-  QLineEdit* mask_;
+  FileField* mask_;
   QLabel* note_;
   QPushButton* write_;
 };

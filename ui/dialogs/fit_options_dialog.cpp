@@ -6,13 +6,12 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 
 #include "src/app/document/document.h"
+#include "ui/dialogs/file_field.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/parameter_texts.h"
 
@@ -36,7 +35,10 @@ FitOptionsDialog::FitOptionsDialog(const FitChoice& choice, const Profile& profi
       usualNoise_(usualNoise),
       noise_(new QComboBox(this)),
       deviations_{new QDoubleSpinBox(this), new QDoubleSpinBox(this)},
-      prior_(new QLineEdit(this)),
+      prior_(new FileField({tr("Prior"), tr("The profile's"),
+                            tr("A JSON file with what is known of the skin beforehand"),
+                            tr("Choose prior"), tr("Priors (*.json);;All files (*)")},
+                           {}, this)),
       held_{},
       oxygenation_(new QCheckBox(tr("Oxygenation of the blood"), this)),
       thickness_(new QCheckBox(tr("Thickness of the epidermis"), this)),
@@ -51,7 +53,7 @@ FitOptionsDialog::FitOptionsDialog(const FitChoice& choice, const Profile& profi
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   addNoise(*form, usualNoise);
-  addPrior(*form);
+  form->addRow(tr("&Prior"), prior_);
   addHeld(*form);
   addFound(*form);
   note_->setWordWrap(true);
@@ -92,23 +94,6 @@ void FitOptionsDialog::addNoise(QFormLayout& form, const std::array<double, 2>& 
   row->addStretch(1);
   form.addRow(QString(), row);
   connect(noise_, &QComboBox::currentIndexChanged, this, &FitOptionsDialog::check);
-}
-
-void FitOptionsDialog::addPrior(QFormLayout& form) {
-  prior_->setPlaceholderText(tr("The profile's"));
-  prior_->setClearButtonEnabled(true);
-  prior_->setAccessibleName(tr("Prior"));
-  prior_->setToolTip(tr("A JSON file with what is known of the skin beforehand"));
-  auto* browse = new QPushButton(tr("C&hoose…"), this);
-  browse->setAutoDefault(false);
-  connect(browse, &QPushButton::clicked, this, &FitOptionsDialog::choosePrior);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(theme::kSpace);
-  row->addWidget(prior_, 1);
-  row->addWidget(browse);
-  auto* label = new QLabel(tr("&Prior"), this);
-  label->setBuddy(prior_);
-  form.addRow(label, row);
 }
 
 void FitOptionsDialog::addHeld(QFormLayout& form) {
@@ -166,7 +151,7 @@ void FitOptionsDialog::take(const FitChoice& choice) {
   const auto shown = choice.noise.value_or(usualNoise_);
   for (std::size_t k = 0; k < deviations_.size(); ++k)
     deviations_[k]->setValue(shown[k]);
-  prior_->setText(QString::fromStdString(choice.prior));
+  prior_->setPath(choice.prior);
   for (std::size_t k = 0; k < held_.size(); ++k) {
     held_[k].held->setChecked(choice.fixed[k].has_value());
     held_[k].value->setValue(choice.fixed[k].value_or(profile_.prior.mean[k]));
@@ -185,7 +170,7 @@ FitChoice FitOptionsDialog::choice() const {
   } else if (noise_->currentIndex() == kNone) {
     choice.noise = {0.0, 0.0};
   }
-  choice.prior = prior_->text().toStdString();
+  choice.prior = prior_->path().string();
   for (std::size_t k = 0; k < held_.size(); ++k) {
     choice.fixed[k].reset();
     if (held_[k].held->isChecked()) choice.fixed[k] = held_[k].value->value();
@@ -223,12 +208,6 @@ void FitOptionsDialog::check() {
   note_->setText(why);
   note_->setVisible(!why.isEmpty());
   fit_->setEnabled(why.isEmpty());
-}
-
-void FitOptionsDialog::choosePrior() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Choose prior"), {},
-                                                    tr("Priors (*.json);;All files (*)"));
-  if (!file.isEmpty()) prior_->setText(file);
 }
 
 void askForFitOptions(Document& document, QWidget& window) {

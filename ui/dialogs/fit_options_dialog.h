@@ -15,12 +15,12 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace cutis {
 
 class Document;
+class FileField;
 
 class FitOptionsDialog : public QDialog {
   Q_OBJECT
@@ -40,12 +40,10 @@ class FitOptionsDialog : public QDialog {
   };
 
   void addNoise(QFormLayout& form, const std::array<double, 2>& usual);
-  void addPrior(QFormLayout& form);
   void addHeld(QFormLayout& form);
   void addFound(QFormLayout& form);
   QWidget* buttons();
   void take(const FitChoice& choice);
-  void choosePrior();
   void check();
   QString objection() const;
 
@@ -54,7 +52,7 @@ class FitOptionsDialog : public QDialog {
   std::array<double, 2> usualNoise_;
   QComboBox* noise_;
   std::array<QDoubleSpinBox*, 2> deviations_;
-  QLineEdit* prior_;
+  FileField* prior_;
   std::array<HeldRow, kParameterCount> held_;
   QCheckBox* oxygenation_;
   QCheckBox* thickness_;

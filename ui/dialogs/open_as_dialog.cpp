@@ -4,16 +4,14 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "ui/dialogs/format_filters.h"
+#include "ui/dialogs/file_field.h"
 #include "ui/theme/theme.h"
 
 namespace cutis {
@@ -63,7 +61,7 @@ OpenAsDialog::OpenAsDialog(const std::filesystem::path& path, const ImageInspect
       statements_(wrapped({}, this)),
       automaticExposure_(new QCheckBox(tr("&Automatic"), this)),
       exposure_(new QDoubleSpinBox(this)),
-      mask_(new QLineEdit(this)),
+      mask_(new FileField(maskTexts(), path.parent_path(), this)),
       open_(new QPushButton(tr("&Open"), this)) {
   setWindowTitle(tr("Open as"));
   setAccessibleName(windowTitle());
@@ -75,7 +73,7 @@ OpenAsDialog::OpenAsDialog(const std::filesystem::path& path, const ImageInspect
   addLayer(*form);
   addColors(*form);
   addExposure(*form);
-  addMask(*form);
+  form->addRow(tr("&Mask"), mask_);
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(theme::kDoubleSpace, theme::kDoubleSpace, theme::kDoubleSpace,
@@ -164,23 +162,6 @@ void OpenAsDialog::addExposure(QFormLayout& form) {
   form.addRow(tr("Exposure"), row);
 }
 
-void OpenAsDialog::addMask(QFormLayout& form) {
-  mask_->setPlaceholderText(tr("None"));
-  mask_->setClearButtonEnabled(true);
-  mask_->setAccessibleName(tr("Mask"));
-  mask_->setToolTip(tr("A picture of the same size: black is left out"));
-  auto* browse = new QPushButton(tr("C&hoose…"), this);
-  browse->setAutoDefault(false);
-  connect(browse, &QPushButton::clicked, this, &OpenAsDialog::chooseMask);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(theme::kSpace);
-  row->addWidget(mask_, 1);
-  row->addWidget(browse);
-  auto* label = new QLabel(tr("&Mask"), this);
-  label->setBuddy(mask_);
-  form.addRow(label, row);
-}
-
 QWidget* OpenAsDialog::buttons() {
   auto* box = new QDialogButtonBox(this);
   open_->setProperty("primary", true);
@@ -213,18 +194,11 @@ void OpenAsDialog::showLayer() {
   open_->setEnabled(chosen.hasColors && (chosen.isDecided || colors_->currentIndex() > 0));
 }
 
-void OpenAsDialog::chooseMask() {
-  const QString file = QFileDialog::getOpenFileName(
-      this, tr("Choose mask"), QString::fromStdString(path_.parent_path().string()),
-      tr("Images (%1);;All files (*)").arg(readableImagePatterns()));
-  if (!file.isEmpty()) mask_->setText(file);
-}
-
 OpenChoice OpenAsDialog::choice() const {
   OpenChoice choice;
   choice.source.layer = layer().name;
   choice.source.colorSpace = colors_->currentData().toString().toStdString();
-  choice.source.mask = mask_->text().toStdString();
+  choice.source.mask = mask_->path();
   choice.chooseExposure = automaticExposure_->isChecked();
   if (!choice.chooseExposure) choice.source.exposure = exposure_->value();
   return choice;

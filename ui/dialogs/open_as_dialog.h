@@ -15,10 +15,11 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace cutis {
+
+class FileField;
 
 class OpenAsDialog : public QDialog {
   Q_OBJECT
@@ -36,12 +37,10 @@ class OpenAsDialog : public QDialog {
   void addLayer(QFormLayout& form);
   void addColors(QFormLayout& form);
   void addExposure(QFormLayout& form);
-  void addMask(QFormLayout& form);
   QWidget* buttons();
   const LayerInspection& layer() const;
   // What the file says of the chosen layer, and whether it can be opened like this.
   void showLayer();
-  void chooseMask();
 
   std::filesystem::path path_;
   ImageInspection image_;
@@ -50,7 +49,7 @@ class OpenAsDialog : public QDialog {
   QLabel* statements_;
   QCheckBox* automaticExposure_;
   QDoubleSpinBox* exposure_;
-  QLineEdit* mask_;
+  FileField* mask_;
   QPushButton* open_;
 };
 

@@ -20,6 +20,14 @@ namespace {
 constexpr std::size_t kMemoryForPlanes = std::size_t{2} << 30;
 constexpr int kMapsIntervalMs = 50;
 
+// The planes of a larger picture do not all stay in memory. Every look at all of it would fetch
+// them from disk, tile by tile, while the fit needs the others: it is shown again when it is
+// complete.
+bool isShownWhileFitted(const ChromophoreMaps& maps) {
+  constexpr double kMostPixels = 4e7;
+  return double{1} * maps.width() * maps.height() <= kMostPixels;
+}
+
 QString sentenceOf(const Error& error) {
   return QString::fromStdString(error.text());
 }
@@ -261,7 +269,7 @@ SourceFitObserver Document::observerOf(const Scene& scene, const JobRunner::Hand
   };
   observer.changed = [this, post = job.post] {
     post([this] {
-      if (!mapsTimer_.isActive()) mapsTimer_.start();
+      if (!mapsTimer_.isActive() && isShownWhileFitted(scene_->maps)) mapsTimer_.start();
     });
   };
   observer.view = [view = view_] { return view->get(); };

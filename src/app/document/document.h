@@ -164,7 +164,8 @@ class Document : public QObject {
   void openingStarted();
   // Something else is open now; its maps may still be empty.
   void opened();
-  // The maps have new values. At most 20 times a second.
+  // The maps have new values. At most 20 times a second; of a picture that does not
+  // fit into memory only when it is fitted.
   void mapsChanged();
   // Maps, profile and what depends on the profile are others; size and edits are as they were.
   void sceneReplaced();

@@ -10,6 +10,13 @@ namespace {
 // Where reading ends, as a share of the progress.
 constexpr double kProjectRead = 0.3;
 
+// What nobody can choose is an error in the project's file, where it was chosen.
+template <typename T>
+Result<T> inProject(Result<T> result, const std::string& path) {
+  if (!result.failed() || result.error().kind != ErrorKind::usage) return result;
+  return inputError(path + ": fit", result.error().text());
+}
+
 }  // namespace
 
 Result<EditedAlbedo> openProjectAlbedo(const std::string& path, const Session& session,
@@ -22,16 +29,16 @@ Result<EditedAlbedo> openProjectAlbedo(const std::string& path, const Session& s
                       "this project is of maps alone, which hold no albedo; apply to a project of "
                       "the photographs they were fitted to");
   }
-  CUTIS_TRY(opened, openProjectSource(project, session.engine, session.store,
-                                      context.child(0.0, kProjectRead, "reading")));
+  CUTIS_TRY(opened, inProject(openProjectSource(project, session.engine, session.store,
+                                                context.child(0.0, kProjectRead, "reading")),
+                              path));
   EditedAlbedo albedo;
   albedo.source = opened.source;
   if (opened.maps) {
     albedo.skin = {opened.model, *opened.maps, project.edits};
     return albedo;
   }
-  CUTIS_CHECK(checkFitChoice(project.fit, *opened.source));
-  CUTIS_TRY(options, fitOptions(project.fit, opened.model->profile()));
+  CUTIS_TRY(options, inProject(fitOptions(project.fit, opened.model->profile()), path));
   CUTIS_TRY(fitted, fitSource(opened.model, opened.source, {options, project.source.chooseExposure},
                               session.engine, session.store, context.child(kProjectRead, 1.0)));
   for (const FitRemark& remark : fitted.remarks)

@@ -61,6 +61,8 @@ class ProjectTest : public QObject {
     row("apply later.cutis -o o.png", "cutis_project is 2, written by a newer version");
     row("apply lost.cutis -o o.png", "gone.png is not there; put it back, or open the project");
     row("apply maps.cutis -o o.png", "maps alone, which hold no albedo");
+    row("apply both.cutis -o o.png", "both.cutis: fit: Discrepancy: it does not go with free");
+    row("apply noise.cutis -o o.png", "noise.cutis: fit.noise must be a list of 2 finite numbers");
   }
 
   void whatCannotBeIsRefused() {
@@ -71,6 +73,8 @@ class ProjectTest : public QObject {
     std::string maps = kManifest;
     maps.replace(maps.find("\"image\""), 7, "\"maps\"");
     run_.write("maps.cutis", maps);
+    writeFit("both.cutis", R"("free": ["thickness"], "discrepancy": true)");
+    writeFit("noise.cutis", R"("noise": [0.001, "x"])");
     QFETCH(QString, command);
     QFETCH(QString, sentence);
     const Outcome outcome = run_.run(command);
@@ -79,7 +83,23 @@ class ProjectTest : public QObject {
     QVERIFY2(says(outcome, sentence.toStdString()), outcome.errors.c_str());
   }
 
+  // It is read before this is known.
+  void whatTheProfileDoesNotAllowIsRefused() {
+    writeFit("held.cutis", R"("fixed": {"melanin": 9})");
+    const Outcome outcome = run_.run("apply held.cutis -o o.png");
+    QCOMPARE(outcome.status, 3);
+    QVERIFY2(says(outcome, "held.cutis: fit: Held parameters: melanin of 9 is out of range"),
+             outcome.errors.c_str());
+  }
+
  private:
+  // The manifest with one more choice of the fit.
+  void writeFit(const std::string& name, const std::string& choice) const {
+    std::string text = kManifest;
+    text.insert(text.find("\"shading\""), choice + ", ");
+    run_.write(name, text);
+  }
+
   ProgramRun run_;
 };
 
