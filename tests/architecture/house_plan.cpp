@@ -66,13 +66,15 @@ constexpr Room kRooms[] = {
 
     {"src/images/pixels", "core/base"},
     {"src/color", "core/* src/files/*"},
-    {"src/images/codec", "core/base core/spectra src/files/io src/color src/images/pixels"},
-    {"src/images/color", "core/* src/files/io src/color src/images/codec"},
+    {"src/images/inputs", "core/base src/files/io"},
+    {"src/images/codec",
+     "core/base core/spectra src/files/io src/color src/images/pixels src/images/inputs"},
+    {"src/images/color", "core/* src/files/io src/color src/images/codec src/images/inputs"},
     {"src/images",
      "core/* src/files/io src/color src/images/codec src/images/color src/images/pixels"},
     {"src/images/preview",
      "core/* src/files/io src/color src/images src/images/codec src/images/color "
-     "src/images/pixels"},
+     "src/images/inputs src/images/pixels"},
     {"src/images/maps",
      "core/* src/files/* src/color src/images src/images/codec src/images/color"},
     {"src/images/capture",

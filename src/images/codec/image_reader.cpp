@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "core/base/parallel.h"
-#include "src/images/codec/ink_jpeg_input.h"
 #include "src/images/codec/layout_check.h"
-#include "src/images/codec/luma_chroma_input.h"
 #include "src/images/codec/oiio_text.h"
-#include "src/images/codec/png_check.h"
-#include "src/images/codec/tiff_check.h"
+#include "src/images/inputs/ink_jpeg_input.h"
+#include "src/images/inputs/luma_chroma_input.h"
+#include "src/images/inputs/png_check.h"
+#include "src/images/inputs/tiff_check.h"
 
 namespace cutis {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/spectra/colorimetry.h"
 #include "core/spectra/rgb_primaries.h"
 #include "src/color/icc_profile.h"
-#include "src/images/codec/ink_jpeg_input.h"
+#include "src/images/inputs/ink_jpeg_input.h"
 
 namespace cutis {
 namespace {

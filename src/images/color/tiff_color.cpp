@@ -12,7 +12,7 @@
 
 #include "core/base/word_list.h"
 #include "core/spectra/rgb_primaries.h"
-#include "src/images/codec/tiff_directory.h"
+#include "src/images/inputs/tiff_directory.h"
 
 namespace cutis {
 namespace {

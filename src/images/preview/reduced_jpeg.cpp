@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "src/images/codec/jpeg_reports.h"
+#include "src/images/inputs/jpeg_reports.h"
 
 namespace cutis {
 namespace {

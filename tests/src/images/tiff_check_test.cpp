@@ -1,6 +1,6 @@
 // The check on TIFF files made by hand, in all four forms a TIFF has.
 
-#include "src/images/codec/tiff_check.h"
+#include "src/images/inputs/tiff_check.h"
 
 #include <QtTest>
 

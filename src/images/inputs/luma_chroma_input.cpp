@@ -1,4 +1,4 @@
-#include "src/images/codec/luma_chroma_input.h"
+#include "src/images/inputs/luma_chroma_input.h"
 
 #include <ImfChromaticitiesAttribute.h>
 #include <ImfRgbaFile.h>

@@ -1,4 +1,4 @@
-#include "src/images/codec/ink_jpeg_input.h"
+#include "src/images/inputs/ink_jpeg_input.h"
 
 #include <cstddef>
 #include <cstdio>
@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "src/images/codec/jpeg_reports.h"
+#include "src/images/inputs/jpeg_reports.h"
 
 namespace cutis {
 namespace {

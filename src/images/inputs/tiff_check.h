@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images/codec
+#pragma once
 
 // Whether a TIFF file is whole.
 //

@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images/codec
+#pragma once
 
 // OpenEXR files of luminance and chroma, which OpenImageIO does not read because their chroma has
 // fewer samples (channels Y, RY and BY).

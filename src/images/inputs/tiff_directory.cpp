@@ -1,4 +1,4 @@
-#include "src/images/codec/tiff_directory.h"
+#include "src/images/inputs/tiff_directory.h"
 
 #include <algorithm>
 #include <cstddef>

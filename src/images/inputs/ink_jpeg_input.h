@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images/codec
+#pragma once
 
 // JPEG files of inks (CMYK, also stored as YCCK), which OpenImageIO makes red, green and blue of,
 // without asking the file's ICC profile.

@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images/codec
+#pragma once
 
 // Whether a PNG file is whole.
 //

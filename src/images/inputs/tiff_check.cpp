@@ -1,10 +1,10 @@
-#include "src/images/codec/tiff_check.h"
+#include "src/images/inputs/tiff_check.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
-#include "src/images/codec/tiff_directory.h"
+#include "src/images/inputs/tiff_directory.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/images/codec/png_check.h"
+#include "src/images/inputs/png_check.h"
 
 #include <algorithm>
 #include <cstdint>
