@@ -11,6 +11,9 @@ namespace {
 // Below this a ratio of two models says nothing; far below the darkest skin in any channel.
 constexpr float kSmallestAlbedo = 1e-4f;
 
+// What is edited at a time for a draft: small enough to stay in a core's cache.
+constexpr int kStripSamples = 4096;
+
 PictureBuffer emptyPicture(const SkinSamples& samples) {
   PictureBuffer picture;
   picture.width = samples.width();
@@ -23,6 +26,46 @@ Result<ParameterBuffer> edited(const SkinSamples& samples, const EditStack& edit
   ParameterBuffer parameters = samples.parameters;
   CUTIS_CHECK(applyEdits(edits, axes, samples.rect, samples.step, parameters));
   return parameters;
+}
+
+// Of a response model or its table.
+template <typename Response>
+std::vector<std::vector<float>> evaluated(const ParameterBuffer& parameters,
+                                          const Response& response) {
+  std::vector<std::vector<float>> channels(static_cast<std::size_t>(response.rowCount()),
+                                           std::vector<float>(parameters.count()));
+  std::vector<float*> rows;
+  for (std::vector<float>& channel : channels)
+    rows.push_back(channel.data());
+  response.evaluate(parameters.batch(), rows);
+  for (std::size_t i = 0; i < parameters.count(); ++i) {
+    if (parameters.present[i]) continue;
+    for (std::vector<float>& channel : channels)
+      channel[i] = 0.0f;
+  }
+  return channels;
+}
+
+// The parameters that edits change, of some rows of samples.
+ParameterBuffer partOf(const SkinSamples& samples, std::size_t first, std::size_t count) {
+  ParameterBuffer part;
+  part.values = PixelBuffer<float>(kParameterCount, count);
+  for (std::size_t k = 0; k < kParameterCount; ++k) {
+    const auto row = samples.parameters.values[k].subspan(first, count);
+    std::copy(row.begin(), row.end(), part.values[k].begin());
+  }
+  const auto present = samples.parameters.present.begin() + static_cast<std::ptrdiff_t>(first);
+  part.present.assign(present, present + static_cast<std::ptrdiff_t>(count));
+  return part;
+}
+
+// Multiplies a strip of a channel by after / before where there is skin.
+void multiplyByRatio(const std::vector<bool>& present, std::span<const float> before,
+                     std::span<const float> after, std::span<float> pixels) {
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (!present[i]) continue;
+    pixels[i] *= std::max(after[i], kSmallestAlbedo) / std::max(before[i], kSmallestAlbedo);
+  }
 }
 
 // Calls take(from) for every n-th sample of every n-th row of a picture.
@@ -68,18 +111,12 @@ Result<SkinSamples> loadSamples(const EditedSkin& skin, const Rect& rect, int st
 
 std::vector<std::vector<float>> responseTo(const ParameterBuffer& parameters,
                                            const ResponseModel& response) {
-  std::vector<std::vector<float>> channels(static_cast<std::size_t>(response.rowCount()),
-                                           std::vector<float>(parameters.count()));
-  std::vector<float*> rows;
-  for (std::vector<float>& channel : channels)
-    rows.push_back(channel.data());
-  response.evaluate(parameters.batch(), rows);
-  for (std::size_t i = 0; i < parameters.count(); ++i) {
-    if (parameters.present[i]) continue;
-    for (std::vector<float>& channel : channels)
-      channel[i] = 0.0f;
-  }
-  return channels;
+  return evaluated(parameters, response);
+}
+
+std::vector<std::vector<float>> responseTo(const ParameterBuffer& parameters,
+                                           const ResponseTable& table) {
+  return evaluated(parameters, table);
 }
 
 SkinSamples thinned(const SkinSamples& samples, int n) {
@@ -97,6 +134,8 @@ SkinSamples thinned(const SkinSamples& samples, int n) {
   kept.parameters.present = thinnedStates(samples.parameters.present, width, height, n);
   for (const std::vector<float>& channel : samples.original)
     kept.original.push_back(thinnedRow(channel, width, height, n));
+  for (const std::vector<float>& channel : samples.tabulated)
+    kept.tabulated.push_back(thinnedRow(channel, width, height, n));
   return kept;
 }
 
@@ -112,8 +151,13 @@ PictureBuffer thinned(const PictureBuffer& picture, int n) {
 
 Result<PictureBuffer> renderSamples(const SkinSamples& samples, const EditStack& edits,
                                     const ParameterAxes& axes, const ResponseModel& response) {
-  CUTIS_TRY(parameters, edited(samples, edits, axes));
   PictureBuffer picture = emptyPicture(samples);
+  if (isNeutral(edits) && !samples.original.empty()) {
+    picture.channels = samples.original;
+    picture.present = samples.parameters.present;
+    return picture;
+  }
+  CUTIS_TRY(parameters, edited(samples, edits, axes));
   picture.channels = responseTo(parameters, response);
   picture.present = std::move(parameters.present);
   return picture;
@@ -149,6 +193,30 @@ Result<PictureBuffer> editAlbedoSamples(PictureBuffer source, const SkinSamples&
     }
   }
   return source;
+}
+
+Result<PictureBuffer> draftSamples(PictureBuffer unedited, const SkinSamples& samples,
+                                   const EditStack& edits, const ParameterAxes& axes,
+                                   const ResponseTable& table) {
+  if (isNeutral(edits)) return unedited;
+  PictureBuffer& picture = unedited;
+  const auto width = static_cast<std::size_t>(picture.width);
+  const int stripRows = std::max(1, kStripSamples / std::max(1, picture.width));
+  for (int y = 0; y < picture.height; y += stripRows) {
+    const int rows = std::min(stripRows, picture.height - y);
+    const std::size_t first = static_cast<std::size_t>(y) * width;
+    ParameterBuffer part = partOf(samples, first, static_cast<std::size_t>(rows) * width);
+    const int top = samples.rect.y0 + y * samples.step;
+    const Rect rect = {samples.rect.x0, top, samples.rect.x1,
+                       std::min(top + rows * samples.step, samples.rect.y1)};
+    CUTIS_CHECK(applyEdits(edits, axes, rect, samples.step, part));
+    const std::vector<std::vector<float>> after = evaluated(part, table);
+    for (std::size_t c = 0; c < picture.channels.size(); ++c) {
+      multiplyByRatio(part.present, std::span(samples.tabulated[c]).subspan(first, part.count()),
+                      after[c], std::span(picture.channels[c]).subspan(first, part.count()));
+    }
+  }
+  return unedited;
 }
 
 }  // namespace cutis

@@ -153,6 +153,19 @@ Result<std::shared_ptr<const ResponseModel>> Engine::response(
   return keep(responses_, key, std::move(made));
 }
 
+std::shared_ptr<const ResponseTable> Engine::responseTable(
+    const std::shared_ptr<const ResponseModel>& response, const ParameterAxes& ranges) {
+  if (response == nullptr || response->free().count() > 0) return nullptr;
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto known = responseTables_.find(response.get());
+    if (known != responseTables_.end()) return known->second;
+  }
+  auto made = std::make_shared<const ResponseTable>(*response, ranges);
+  const std::scoped_lock lock(mutex_);
+  return responseTables_.try_emplace(response.get(), std::move(made)).first->second;
+}
+
 Result<std::shared_ptr<const TableSearch>> Engine::tableSearch(const SkinModel& model,
                                                                const Rig& rig,
                                                                const JobContext& context) {

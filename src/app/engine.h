@@ -24,6 +24,7 @@
 #include "core/rig/rig.h"
 #include "core/skin/model/skin_model.h"
 #include "core/skin/response_model.h"
+#include "core/skin/response_table.h"
 
 namespace cutis {
 
@@ -66,6 +67,11 @@ class Engine {
       const std::shared_ptr<const SkinModel>& model, const SpectrumRows& rows,
       const PerPixel& perPixel, const JobContext& context);
 
+  // The table of a response that this engine made, for pictures while a control moves; null where
+  // constants are free, which a table cannot hold.
+  std::shared_ptr<const ResponseTable> responseTable(
+      const std::shared_ptr<const ResponseModel>& response, const ParameterAxes& ranges);
+
   // The search in the table of skin for a rig.
   Result<std::shared_ptr<const TableSearch>> tableSearch(const SkinModel& model, const Rig& rig,
                                                          const JobContext& context);
@@ -92,6 +98,7 @@ class Engine {
   Cache<SkinModel> models_;
   Cache<TableSearch> searches_;
   Cache<ResponseModel> responses_;
+  std::map<const ResponseModel*, std::shared_ptr<const ResponseTable>> responseTables_;
   std::vector<std::shared_ptr<const ChromophoreNetwork>> networks_;  // those added
 };
 

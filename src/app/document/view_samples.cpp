@@ -49,62 +49,78 @@ Result<ViewSamples> ViewSamples::load(const Scene& scene, Engine& engine,
   samples.model_ = scene.model;
   CUTIS_TRY(response, responseFor(request.view, scene, engine, picture, context));
   samples.response_ = response;
+  samples.table_ = engine.responseTable(response, scene.axes());
   const Rect& rect = samples.request_.rect;
   if (rect.empty()) return samples;
   const int bandHeight = kBandRows * request.step;
   samples.bands_.resize(static_cast<std::size_t>((rect.height() + bandHeight - 1) / bandHeight));
   CUTIS_CHECK(parallelFor(samples.bands_.size(), context, [&](std::size_t i) -> Status {
     const int y0 = rect.y0 + static_cast<int>(i) * bandHeight;
-    CUTIS_TRY(band, loadBand(scene, response.get(), request,
-                             {rect.x0, y0, rect.x1, std::min(y0 + bandHeight, rect.y1)}));
+    CUTIS_TRY(band,
+              samples.loadBand(scene, {rect.x0, y0, rect.x1, std::min(y0 + bandHeight, rect.y1)}));
     samples.bands_[i] = std::move(band);
     return {};
   }));
   return samples;
 }
 
-Result<ViewSamples::Band> ViewSamples::loadBand(const Scene& scene, const ResponseModel* response,
-                                                const ViewRequest& request, const Rect& rect) {
-  const bool isPhotograph = request.view == ViewKind::photograph;
+Result<ViewSamples::Band> ViewSamples::loadBand(const Scene& scene, const Rect& rect) const {
+  const bool isPhotograph = request_.view == ViewKind::photograph;
   Band band;
-  if (isPhotograph || request.view == ViewKind::editedAlbedo) {
-    CUTIS_TRY(photograph, photographPart(*scene.source, rect, request.step));
+  if (isPhotograph || request_.view == ViewKind::editedAlbedo) {
+    CUTIS_TRY(photograph, photographPart(*scene.source, rect, request_.step));
     band.photograph = std::move(photograph);
   }
   if (isPhotograph) return band;
-  CUTIS_TRY(skin, loadSamples(scene, rect, request.step));
+  CUTIS_TRY(skin, loadSamples(scene, rect, request_.step));
   band.skin = std::move(skin);
-  if (request.view == ViewKind::editedAlbedo)
-    band.skin.original = responseTo(band.skin.parameters, *response);
+  if (response_) band.skin.original = responseTo(band.skin.parameters, *response_);
+  if (table_) band.skin.tabulated = responseTo(band.skin.parameters, *table_);
   return band;
 }
 
-ViewSamples ViewSamples::thinned(int n) const {
+Result<ViewSamples> ViewSamples::thinned(int n, const JobContext& context) const {
   ViewSamples kept;
   kept.request_ = request_;
   kept.request_.step *= n;
   kept.model_ = model_;
   kept.response_ = response_;
-  for (const Band& band : bands_)
-    kept.bands_.push_back({cutis::thinned(band.skin, n), cutis::thinned(band.photograph, n)});
+  kept.table_ = table_;
+  kept.bands_.resize(bands_.size());
+  CUTIS_CHECK(parallelFor(bands_.size(), context, [&](std::size_t i) -> Status {
+    kept.bands_[i] = {cutis::thinned(bands_[i].skin, n), cutis::thinned(bands_[i].photograph, n)};
+    return {};
+  }));
   return kept;
 }
 
-Result<ViewPart> ViewSamples::render(const EditStack& edits, const JobContext& context) const {
+Result<ViewPart> ViewSamples::render(const EditStack& edits, ViewAccuracy accuracy,
+                                     const JobContext& context) const {
   ViewPart part;
   part.request = request_;
-  CUTIS_TRY(pixels, joinedBands(bands_.size(), context,
-                                [&](std::size_t i) { return renderBand(bands_[i], edits); }));
+  CUTIS_TRY(pixels, joinedBands(bands_.size(), context, [&](std::size_t i) {
+              return renderBand(bands_[i], edits, accuracy);
+            }));
   part.pixels = std::move(pixels);
   return part;
 }
 
-Result<PictureBuffer> ViewSamples::renderBand(const Band& band, const EditStack& edits) const {
+Result<PictureBuffer> ViewSamples::renderBand(const Band& band, const EditStack& edits,
+                                              ViewAccuracy accuracy) const {
   const ParameterAxes& axes = model_->profile().axes;
   if (const auto parameter = parameterOf(request_.view))
     return mapSamples(band.skin, edits, axes, *parameter);
   if (request_.view == ViewKind::photograph) return band.photograph;
-  if (request_.view == ViewKind::editedAlbedo)
+  const bool isAlbedo = request_.view == ViewKind::editedAlbedo;
+  if (accuracy == ViewAccuracy::draft && table_) {
+    PictureBuffer unedited = band.photograph;
+    if (!isAlbedo) {
+      CUTIS_TRY(original, renderSamples(band.skin, {}, axes, *response_));
+      unedited = std::move(original);
+    }
+    return draftSamples(std::move(unedited), band.skin, edits, axes, *table_);
+  }
+  if (isAlbedo)
     return editAlbedoSamples(band.photograph, band.skin, edits, axes, *response_, false);
   return renderSamples(band.skin, edits, axes, *response_);
 }

@@ -23,6 +23,8 @@ Result<std::shared_ptr<const ResponseModel>> responseFor(ViewKind view, const Sc
                                                          const PictureRequest& picture,
                                                          const JobContext& context);
 
+enum class ViewAccuracy { exact, draft };
+
 class ViewSamples {
  public:
   // Of the part that a request asks for, cut to the picture. Preconditions: those of renderView().
@@ -31,9 +33,11 @@ class ViewSamples {
 
   const ViewRequest& request() const { return request_; }
   // Every n-th sample of every n-th row. Precondition: n divides the rows of a band, 32.
-  ViewSamples thinned(int n) const;
-  // With these edits; masks are read anew.
-  Result<ViewPart> render(const EditStack& edits, const JobContext& context) const;
+  Result<ViewSamples> thinned(int n, const JobContext& context) const;
+  // With these edits; masks are read anew. A draft is for while a control moves, see
+  // draftSamples(); what no table can say is rendered as ever.
+  Result<ViewPart> render(const EditStack& edits, ViewAccuracy accuracy,
+                          const JobContext& context) const;
 
  private:
   struct Band {
@@ -41,13 +45,14 @@ class ViewSamples {
     PictureBuffer photograph;
   };
 
-  static Result<Band> loadBand(const Scene& scene, const ResponseModel* response,
-                               const ViewRequest& request, const Rect& rect);
-  Result<PictureBuffer> renderBand(const Band& band, const EditStack& edits) const;
+  Result<Band> loadBand(const Scene& scene, const Rect& rect) const;
+  Result<PictureBuffer> renderBand(const Band& band, const EditStack& edits,
+                                   ViewAccuracy accuracy) const;
 
   ViewRequest request_;
   std::shared_ptr<const SkinModel> model_;
   std::shared_ptr<const ResponseModel> response_;
+  std::shared_ptr<const ResponseTable> table_;  // null: of nothing that a table could say
   std::vector<Band> bands_;
 };
 

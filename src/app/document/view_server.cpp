@@ -145,6 +145,10 @@ bool ViewServer::isServed(const ViewWatch& watch) const {
   return watch.seen_ && (!moving_ || watch.priority_ == ViewPriority::detail);
 }
 
+bool ViewServer::willBeAveraged(const ViewWatch& watch, const ViewRequest& request) const {
+  return watch.priority_ == ViewPriority::detail && request.step > 1 && canBeAveraged(request.view);
+}
+
 ViewWatch* ViewServer::mostUrgent() const {
   ViewWatch* urgent = nullptr;
   for (const auto& [id, watch] : watches_) {
@@ -174,7 +178,11 @@ void ViewServer::startNext() {
 }
 
 void ViewServer::start(ViewWatch& watch, Quality quality) {
-  task_ = {watch.id_, quality, watch.request_, state_};
+  const bool isDraft =
+      quality == Quality::coarse ||
+      (quality == Quality::sharp && document_.isFitted() && willBeAveraged(watch, watch.request_));
+  task_ = {watch.id_, quality, isDraft ? ViewAccuracy::draft : ViewAccuracy::exact, watch.request_,
+           state_};
   job_ = jobs_.startQuiet([this, task = task_, known = Made{nullptr, watch.samples_, watch.coarse_},
                            scene = document_.scene(),
                            picture = picture_](const JobRunner::Handle& job) {
@@ -194,20 +202,24 @@ void ViewServer::start(ViewWatch& watch, Quality quality) {
 Result<ViewServer::Made> ViewServer::make(const Task& task, Made known, const Scene& scene,
                                           const PictureRequest& picture,
                                           const JobContext& context) const {
-  if (task.quality == Quality::averaged) {
+  const bool isAveraged = task.quality == Quality::averaged;
+  if (known.samples == nullptr && !isAveraged) {
+    CUTIS_TRY(samples, ViewSamples::load(scene, engine_, picture, task.request, context));
+    known.samples = std::make_shared<const ViewSamples>(std::move(samples));
+  }
+  // While there is time for it: the next move will ask for them.
+  const bool isCoarse = task.quality == Quality::coarse;
+  if ((isCoarse || isAveraged) && known.coarse == nullptr && known.samples != nullptr) {
+    CUTIS_TRY(coarse, known.samples->thinned(kCoarserWhileMoving, context));
+    known.coarse = std::make_shared<const ViewSamples>(std::move(coarse));
+  }
+  if (isAveraged) {
     CUTIS_TRY(part, renderAveraged(scene, engine_, picture, task.request, context));
     known.part = std::make_shared<const ViewPart>(std::move(part));
     return known;
   }
-  if (known.samples == nullptr) {
-    CUTIS_TRY(samples, ViewSamples::load(scene, engine_, picture, task.request, context));
-    known.samples = std::make_shared<const ViewSamples>(std::move(samples));
-  }
-  const bool isCoarse = task.quality == Quality::coarse;
-  if (isCoarse && known.coarse == nullptr) {
-    known.coarse = std::make_shared<const ViewSamples>(known.samples->thinned(kCoarserWhileMoving));
-  }
-  CUTIS_TRY(part, (isCoarse ? known.coarse : known.samples)->render(scene.edits, context));
+  CUTIS_TRY(part,
+            (isCoarse ? known.coarse : known.samples)->render(scene.edits, task.accuracy, context));
   known.part = std::make_shared<const ViewPart>(std::move(part));
   return known;
 }
@@ -222,9 +234,8 @@ void ViewServer::deliver(const Task& task, const Made& made) {
       watch.samples_ = made.samples;
       watch.coarse_ = made.coarse;
     }
-    watch.averageDue_ = task.quality == Quality::sharp && !watch.due_ &&
-                        watch.priority_ == ViewPriority::detail && task.request.step > 1 &&
-                        canBeAveraged(task.request.view);
+    watch.averageDue_ =
+        task.quality == Quality::sharp && !watch.due_ && willBeAveraged(watch, task.request);
     watch.show_(made.part);
   }
   startNext();

@@ -109,6 +109,7 @@ class ViewServer : public QObject {
   struct Task {
     std::uint64_t watch = 0;
     Quality quality = Quality::sharp;
+    ViewAccuracy accuracy = ViewAccuracy::exact;
     ViewRequest request;
     std::uint64_t state = 0;
   };
@@ -126,6 +127,8 @@ class ViewServer : public QObject {
   void postponeAverage();
   bool isCoarse() const { return moving_ && !resting_; }
   bool isServed(const ViewWatch& watch) const;
+  // Whether exact means follow what it shows sharply.
+  bool willBeAveraged(const ViewWatch& watch, const ViewRequest& request) const;
   void startNext();
   void start(ViewWatch& watch, Quality quality);
   // On the thread of the job.
