@@ -1,6 +1,7 @@
 #include "ui/docks/edit_panel.h"
 
 #include <QCheckBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
@@ -8,6 +9,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
 #include "ui/widgets/neutral_slider.h"
+#include "ui/widgets/panel_scroll.h"
 
 namespace cutis {
 namespace {
@@ -86,6 +88,43 @@ class EditPanelTest : public test::UiTest {
     }
     // Five sliders with their fields, the link and at least the way back.
     QVERIFY(reached.size() >= 12);
+  }
+
+  // In a dock as well, whose scroll area takes the panel in.
+  void theKeyboardGoesOnToTheFoot() {
+    auto* panel = new EditPanel;
+    PanelScroll scroll(panel);
+    scroll.show();
+    scroll.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&scroll));
+    auto* field =
+        sliderNamed(*panel, "Epidermal haemoglobin")->parentWidget()->findChild<QLineEdit*>();
+    field->setFocus();
+    QTest::keyClick(field, Qt::Key_Tab);
+    QCOMPARE(QApplication::focusWidget(), panel->findChild<QCheckBox*>());
+  }
+
+  void resetForgetsWhatWasRefused() {
+    EditPanel panel;
+    panel.show();
+    panel.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&panel));
+    auto* field = sliderNamed(panel, "Melanin")->parentWidget()->findChild<QLineEdit*>();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "9");
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(field->text(), QString("9"));
+    QPushButton* reset = nullptr;
+    for (QPushButton* found : panel.findChildren<QPushButton*>()) {
+      if (found->text() == "Reset") reset = found;
+    }
+    QVERIFY(reset->isEnabled());
+    QTest::mouseClick(reset, Qt::LeftButton);
+    QVERIFY(field->text() != "9");
+    QVERIFY(!reset->isEnabled());
+    QVERIFY2(QApplication::focusWidget() != sliderNamed(panel, "Melanin"),
+             "the panel stays where it is");
   }
 
   void whatRestsSaysWhy() {

@@ -88,7 +88,7 @@ class FitWindowTest : public test::UiTest {
     const QImage before = pictureOf();
     QTest::keyClick(boxNamed("Profile"), Qt::Key_Home);
     QTRY_VERIFY(window_->progress().jobRuns());
-    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    QTest::keyClick(window_.get(), Qt::Key_Period, Qt::ControlModifier);
     QCOMPARE(boxNamed("Profile")->currentText(), QString(kDefaultProfile));
     waitUntilIdle();
     QVERIFY(pictureOf() == before);
@@ -106,7 +106,7 @@ class FitWindowTest : public test::UiTest {
     QVERIFY(!window_->document().hasEstimate());
     window_->views().show(ViewKind::melanin);
     QCOMPARE(window_->viewport().notice(), QString("Not fitted yet"));
-    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    QTest::keyClick(window_.get(), Qt::Key_Period, Qt::ControlModifier);
     waitUntilIdle();
     QVERIFY(!window_->document().isFitted());
     QVERIFY(fit->isVisible());
@@ -114,6 +114,7 @@ class FitWindowTest : public test::UiTest {
       QCOMPARE(window_->viewport().notice(), QString("Not fitted yet"));
     QTest::mouseClick(fit, Qt::LeftButton);
     QVERIFY(!fit->isVisible());
+    QCOMPARE(window_->commands().run("fit.again"), QString("The fit is under way"));
     waitUntilIdle();
     QVERIFY(window_->document().isFitted());
     QVERIFY(window_->viewport().notice().isEmpty());

@@ -248,6 +248,25 @@ class ParameterSliderTest : public test::UiTest {
     QVERIFY(messageOf(*widget_) == nullptr);
   }
 
+  // Wherever the keyboard is by then: the sentence says so.
+  void escapeFromElsewhereBringsTheNumberBack() {
+    type("9");
+    QTest::keyClick(field_, Qt::Key_Return);
+    slider_->setFocus();
+    QVERIFY(messageOf(*widget_) != nullptr);
+    QTest::keyClick(slider_, Qt::Key_Escape);
+    QCOMPARE(field_->text(), shown(1, 2));
+    QVERIFY(messageOf(*widget_) == nullptr);
+  }
+
+  void aDragEndsWhatWasRefused() {
+    type("9");
+    QTest::keyClick(field_, Qt::Key_Return);
+    QTest::keyClick(slider_, Qt::Key_Right);
+    QVERIFY(messageOf(*widget_) == nullptr);
+    QCOMPARE(field_->text(), shown(1.05, 2));
+  }
+
   // Undo belongs to the text while it is being typed, then to the document.
   void undoOfWhatWasTakenIsTheDocuments() {
     int undone = 0;

@@ -139,6 +139,22 @@ class ProjectWindowTest : public test::UiTest {
     QCOMPARE(savedFactor("waited.cutis"), 2.0);
   }
 
+  // What was to be waited for has not come; the window stays, with what it says of it.
+  void quittingStaysWhereAFileIsNotWritten() {
+    open("one.png");
+    window_->exports().exportAlbedo(file("no_such_folder/never.png"));
+    window_->close();
+    if (question() != nullptr) {
+      answer("Wait and close");
+      QTest::qWait(500);
+    }
+    waitUntilIdle();
+    QVERIFY(window_->isVisible());
+    QVERIFY2(window_->progress().messageIsError(), qPrintable(window_->progress().message()));
+    window_->close();
+    QTRY_VERIFY(!window_->isVisible());
+  }
+
   void aChangedSourceIsOffered() {
     paint("live.png", QColor(190, 140, 120));
     open("live.png");

@@ -73,6 +73,7 @@ void ExportController::write(const QString& path, const std::function<Result<Exp
       sentence += "; " + QString::fromStdString(note);
     const bool isWorthKeeping = failed || !outcome.notes.empty();
     job.post([this, sentence, failed, name, isWorthKeeping] {
+      if (!failed) ++writtenCount_;
       progress_.showMessage(sentence, failed, name);
       if (isWorthKeeping) Q_EMIT noticed(sentence, failed);
     });
@@ -83,6 +84,12 @@ void ExportController::write(const QString& path, const std::function<Result<Exp
 bool ExportController::isExporting() const {
   return std::any_of(exports_.begin(), exports_.end(),
                      [this](JobId job) { return jobs_.isRunning(job); });
+}
+
+std::size_t ExportController::lostCount() const {
+  const auto running = std::count_if(exports_.begin(), exports_.end(),
+                                     [this](JobId job) { return jobs_.isRunning(job); });
+  return exports_.size() - static_cast<std::size_t>(running) - writtenCount_;
 }
 
 void ExportController::stop() {

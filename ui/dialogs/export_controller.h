@@ -3,6 +3,7 @@
 // Writes the edited albedo, and the fitted maps, where the user chooses, in the background.
 // Interface thread only.
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -37,6 +38,8 @@ class ExportController : public QObject {
   void choose();
   void chooseMaps();
   bool isExporting() const;
+  // How many have ended without their file, so far.
+  std::size_t lostCount() const;
   // What is not yet written whole is not written.
   void stop();
 
@@ -54,6 +57,7 @@ class ExportController : public QObject {
   ProgressStrip& progress_;
   QWidget* window_;
   std::vector<JobId> exports_;  // that were begun
+  std::size_t writtenCount_ = 0;
 };
 
 }  // namespace cutis

@@ -28,7 +28,14 @@ SaveController::SaveController(Document& document, ProgressStrip& progress,
     progress_.showMessage(tr("Saved: %1").arg(path), false, tr("Save"));
     end(true);
   });
-  connect(&document, &Document::notSaved, this, [this] { end(false); });
+  connect(&document, &Document::notSaved, this, [this] {
+    ++lostCount_;
+    end(false);
+  });
+  // Said once more, so that what comes of the next attempt takes its place.
+  connect(&document, &Document::failed, this, [this](const QString& sentence) {
+    if (document_.isSaving()) progress_.showMessage(sentence, true, tr("Save"));
+  });
 }
 
 QString SaveController::objection() const {

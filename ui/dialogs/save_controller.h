@@ -2,6 +2,7 @@
 
 // Saves a document as a project where the user chooses. Interface thread only.
 
+#include <cstddef>
 #include <functional>
 
 #include <QObject>
@@ -34,6 +35,8 @@ class SaveController : public QObject {
   void saveTo(const QString& path);
   // Saves, and then says whether it is saved: not where the user or an error kept it from being.
   void saveThen(std::function<void(bool saved)> then);
+  // How many that were begun have failed or were cancelled, so far.
+  std::size_t lostCount() const { return lostCount_; }
 
  private:
   QString choosePlace();
@@ -44,6 +47,7 @@ class SaveController : public QObject {
   std::function<ProjectView()> view_;
   QWidget* window_;
   std::function<void(bool saved)> then_;
+  std::size_t lostCount_ = 0;
 };
 
 }  // namespace cutis

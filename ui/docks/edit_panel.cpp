@@ -19,24 +19,17 @@ constexpr double kNeutral = 1;
 
 }  // namespace
 
-EditPanel::EditPanel(QWidget* parent)
-    : QWidget(parent),
-      link_(new QCheckBox(tr("Link haemoglobins"), this)),
-      presets_(new QPushButton(tr("Presets"), this)),
-      reset_(new QPushButton(tr("Reset"), this)) {
+EditPanel::EditPanel(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Edit"));
-  reset_->setToolTip(tr("Back to the skin as it was photographed; this can be undone"));
-  reset_->setEnabled(false);
-  presets_->setToolTip(tr("Whole sets of edits in one step; this can be undone"));
-  presets_->setProperty("menu", true);
-  presets_->hide();
-  link_->setChecked(true);
-  link_->setToolTip(tr("Move both haemoglobins together, as a flush does"));
-
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kHalfSpace);
+  // The keyboard goes through the panel in the order in which its parts are made.
+  addSliders();
+  addFoot();
+}
 
+void EditPanel::addSliders() {
   static_assert(kParameterCount == 5, "a sixth has its slider here");
   addSlider(kMelanin,
             tr("Pigment of the upper skin. More tans and darkens, and strengthens freckles and "
@@ -53,19 +46,35 @@ EditPanel::EditPanel(QWidget* parent)
   addSlider(kHaemoglobinEpidermal,
             tr("Blood close to the surface. More reddens blemishes and irritated skin; less "
                "calms them."));
-  column->addWidget(link_);
+}
+
+void EditPanel::addFoot() {
+  link_ = new QCheckBox(tr("Link haemoglobins"), this);
+  link_->setChecked(true);
+  link_->setToolTip(tr("Move both haemoglobins together, as a flush does"));
+  presets_ = new QPushButton(tr("Presets"), this);
+  presets_->setToolTip(tr("Whole sets of edits in one step; this can be undone"));
+  presets_->setProperty("menu", true);
+  presets_->hide();
+  reset_ = new QPushButton(tr("Reset"), this);
+  reset_->setToolTip(tr("Back to the skin as it was photographed; this can be undone"));
+  reset_->setEnabled(false);
+
+  layout()->addWidget(link_);
   auto* foot = new QHBoxLayout;
   foot->addWidget(presets_);
   foot->addStretch(1);
   foot->addWidget(reset_);
-  column->addLayout(foot);
-  // The eye goes down the sliders to the foot.
-  setTabOrder(sliders_[kHaemoglobinEpidermal]->lastInTabOrder(), link_);
-  setTabOrder(link_, presets_);
-  setTabOrder(presets_, reset_);
+  static_cast<QVBoxLayout*>(layout())->addLayout(foot);
 
   connect(link_, &QCheckBox::toggled, this, &EditPanel::linkToggled);
-  connect(reset_, &QPushButton::clicked, this, &EditPanel::resetWanted);
+  connect(reset_, &QPushButton::clicked, this, [this] {
+    // Not left to the order of the panel, which would scroll it to its top.
+    link_->setFocus();
+    for (ParameterSlider* slider : sliders_)
+      slider->dropEntry();
+    Q_EMIT resetWanted();
+  });
 }
 
 void EditPanel::addSlider(Parameter parameter, const QString& toolTip) {
@@ -76,6 +85,7 @@ void EditPanel::addSlider(Parameter parameter, const QString& toolTip) {
           [this, parameter](double factor, bool stillMoving) {
             sliderMoved(parameter, factor, stillMoving);
           });
+  connect(slider, &ParameterSlider::entryRefused, this, &EditPanel::updateReset);
   connect(slider, &ParameterSlider::stepEnded, this, &EditPanel::stepEnded);
 }
 
@@ -104,6 +114,7 @@ void EditPanel::linkToggled(bool linked) {
 void EditPanel::setFactors(const std::array<double, kParameterCount>& factors) {
   for (const Parameter parameter : kParameters) {
     sliders_[parameter]->setValue(factors[parameter]);
+    if (sliders_[parameter]->isEntryRefused()) sliders_[parameter]->dropEntry();
   }
   if (factors[kHaemoglobinDermal] != factors[kHaemoglobinEpidermal]) {
     const QSignalBlocker silent(link_);
@@ -126,6 +137,10 @@ bool EditPanel::haemoglobinsLinked() const {
 void EditPanel::setResting(const QString& why) {
   for (ParameterSlider* slider : sliders_)
     slider->setResting(why);
+  isResting_ = !why.isEmpty();
+  link_->setEnabled(!isResting_);
+  presets_->setEnabled(!isResting_);
+  updateReset();
 }
 
 void EditPanel::setFurtherEdits(bool any) {
@@ -140,9 +155,10 @@ void EditPanel::setPresets(QMenu* menu) {
 }
 
 void EditPanel::updateReset() {
-  const bool any = std::any_of(sliders_.begin(), sliders_.end(),
-                               [](const ParameterSlider* s) { return s->value() != kNeutral; });
-  reset_->setEnabled(any || furtherEdits_);
+  const bool any = std::any_of(sliders_.begin(), sliders_.end(), [](const ParameterSlider* s) {
+    return s->value() != kNeutral || s->isEntryRefused();
+  });
+  reset_->setEnabled(!isResting_ && (any || furtherEdits_));
 }
 
 }  // namespace cutis

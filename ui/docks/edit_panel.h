@@ -22,7 +22,8 @@ class EditPanel : public QWidget {
  public:
   explicit EditPanel(QWidget* parent = nullptr);
 
-  // Indexed by Parameter. Silent. Haemoglobins that differ come unlinked.
+  // Indexed by Parameter. Silent. Haemoglobins that differ come unlinked, and numbers that were
+  // refused are forgotten.
   void setFactors(const std::array<double, kParameterCount>& factors);
   std::array<double, kParameterCount> factors() const;
   bool haemoglobinsLinked() const;
@@ -43,16 +44,19 @@ class EditPanel : public QWidget {
   void resetWanted();
 
  private:
+  void addSliders();
   void addSlider(Parameter parameter, const QString& toolTip);
+  void addFoot();
   void sliderMoved(Parameter parameter, double factor, bool stillMoving);
   void linkToggled(bool linked);
   void updateReset();
 
   std::array<ParameterSlider*, kParameterCount> sliders_{};
-  QCheckBox* link_;
-  QPushButton* presets_;
-  QPushButton* reset_;
+  QCheckBox* link_ = nullptr;
+  QPushButton* presets_ = nullptr;
+  QPushButton* reset_ = nullptr;
   bool furtherEdits_ = false;
+  bool isResting_ = false;
 };
 
 }  // namespace cutis

@@ -22,7 +22,15 @@ void FitController::fitWith(const FitChoice& choice) {
 }
 
 void FitController::fitAgain() {
-  if (document_.canFit() && !document_.isFitting()) document_.fitAgain();
+  if (objection().isEmpty()) document_.fitAgain();
+}
+
+QString FitController::objection() const {
+  if (!document_.isOpen()) return tr("Nothing is open yet");
+  if (!document_.canFit())
+    return tr("Maps stay as they were fitted; open their photographs to fit them again");
+  if (document_.isFitting()) return tr("The fit is under way");
+  return document_.isFitted() ? tr("It is fitted") : QString();
 }
 
 void FitController::fitWithProfile(const QString& nameOrPath) {
@@ -43,7 +51,7 @@ void FitController::showChoice(FitPanel& panel) const {
   panel.show(document_.fitChoice(), !document_.canFit() ? Subject::maps
                                     : isTexture         ? Subject::texture
                                                         : Subject::photographs);
-  panel.setFitOffered(document_.canFit() && !document_.isFitted() && !document_.isFitting());
+  panel.setFitOffered(objection().isEmpty());
 }
 
 }  // namespace cutis

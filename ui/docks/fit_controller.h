@@ -27,6 +27,8 @@ class FitController : public QObject {
   void fitWith(const FitChoice& choice);
   // As chosen, where the last fit was cancelled.
   void fitAgain();
+  // Why it cannot be fitted again now, in one sentence; empty if it can.
+  QString objection() const;
   void fitWithProfile(const QString& nameOrPath);
   // With a profile from a file, by a dialog before the window.
   void chooseProfile(QWidget& window);

@@ -95,6 +95,10 @@ bool DocumentPage::isWriting() const {
   return document_->isSaving() || exports_->isExporting();
 }
 
+std::size_t DocumentPage::lostWrites() const {
+  return saves_->lostCount() + exports_->lostCount();
+}
+
 void DocumentPage::stopWriting() {
   document_->stopSaving();
   exports_->stop();

@@ -58,6 +58,8 @@ class DocumentPage : public QWidget {
   // A file of it is being written, which ends with the page.
   bool isWriting() const;
   void stopWriting();
+  // How many files have not been written, so far, for an error or because somebody stopped it.
+  std::size_t lostWrites() const;
   // Nothing is open or on its way.
   bool isBlank() const { return !document_->isOpen() && jobs_.isIdle(); }
   // From now on unsaved edits are written down there. Until then, and while it is null, nowhere.

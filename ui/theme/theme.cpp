@@ -265,18 +265,18 @@ QMenuBar QPushButton { padding: 1px 12px; }
 QPushButton:hover { background: #474747; }
 QPushButton:pressed { background: @field; }
 QPushButton:disabled { color: #787878; background: transparent; border-color: #3a3a3a; }
-QPushButton:focus { border: 2px solid @accent; padding: 3px 11px; }
+QPushButton:focus { border: 2px solid @accent; padding: 3px 11px; outline: none; }
 QMenuBar QPushButton:focus { padding: 0 11px; }
 QPushButton[primary="true"] { color: #101010; background: @accent; border-color: @accent; }
 QPushButton[primary="true"]:hover { background: #86b8e6; }
 QPushButton[primary="true"]:pressed { background: #5a92c6; }
-QPushButton[primary="true"]:focus { border: 2px solid @text; }
+QPushButton[primary="true"]:focus { border: 2px solid @text; outline: none; }
 QToolButton[segment="true"] { color: @dim; background: @field; border: 1px solid @line;
   padding: 4px 6px; }
 QToolButton[segment="true"]:hover { color: @text; }
 QToolButton[segment="true"]:checked { color: @text; background: @raised;
   border-bottom: 2px solid @accent; padding-bottom: 3px; }
-QToolButton[segment="true"]:focus { border: 2px solid @accent; padding: 3px 5px; }
+QToolButton[segment="true"]:focus { border: 2px solid @accent; padding: 3px 5px; outline: none; }
 QLineEdit { color: @text; background: @field; border: 1px solid @control; border-radius: 4px;
   padding: 1px 4px; }
 QLineEdit:focus { border: 2px solid @accent; padding: 0 3px; }

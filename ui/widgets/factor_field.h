@@ -2,7 +2,8 @@
 
 // A field for a factor. What is typed becomes the factor with Return or when the field is left;
 // what cannot be one stays as it was typed, is marked and explained, until it is corrected or Esc
-// brings the factor back. The arrow keys step, ten times finer with shift.
+// in the field, or dropEntry(), brings the factor back. The arrow keys step, ten times finer with
+// shift.
 //
 // Undo belongs to the text while that differs from the factor, else to the document.
 
@@ -21,6 +22,9 @@ class FactorField : public QLineEdit {
   double number() const { return number_; }
   // Silent. A text that is being typed, or was refused, gives way only to another number.
   void setNumber(double number);
+  // What was typed and not taken gives way to the number. Silent.
+  void dropEntry() { showNumber(); }
+  bool isRefused() const { return isRefused_; }
 
  Q_SIGNALS:
   void numberTyped(double number);

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
+#include <QShortcut>
 
 #include "ui/theme/theme.h"
 #include "ui/widgets/factor_field.h"
@@ -28,7 +29,8 @@ ParameterSlider::ParameterSlider(const QString& name, const QString& toolTip,
       label_(new QLabel(name, this)),
       slider_(new NeutralSlider(scale, this)),
       field_(new FactorField(scale, this)),
-      message_(new QLabel(this)) {
+      message_(new QLabel(this)),
+      escape_(new QShortcut(Qt::Key_Escape, this)) {
   field_->setAccessibleName(tr("%1, number").arg(name));
   field_->setAccessibleDescription(limitsText(scale));
   slider_->setAccessibleName(name);
@@ -48,7 +50,13 @@ ParameterSlider::ParameterSlider(const QString& name, const QString& toolTip,
   connect(field_, &FactorField::refused, this, [this](const QString& sentence) {
     message_->setText(sentence);
     message_->setVisible(!sentence.isEmpty());
+    escape_->setEnabled(!sentence.isEmpty());
+    Q_EMIT entryRefused();
   });
+  escape_->setEnabled(false);
+  // Where a message waits for Escape as well, each has its turn.
+  connect(escape_, &QShortcut::activated, this, &ParameterSlider::dropEntry);
+  connect(escape_, &QShortcut::activatedAmbiguously, this, &ParameterSlider::dropEntry);
   connect(&burst_, &QTimer::timeout, this, &ParameterSlider::stepEnded);
   for (QWidget* part : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(field_)})
     part->installEventFilter(this);
@@ -86,14 +94,19 @@ void ParameterSlider::setResting(const QString& why) {
   field_->setToolTip(why.isEmpty() ? tr("From %1").arg(limitsText(scale_)) : why);
 }
 
-QWidget* ParameterSlider::lastInTabOrder() const {
-  return field_;
+void ParameterSlider::dropEntry() {
+  field_->dropEntry();
+}
+
+bool ParameterSlider::isEntryRefused() const {
+  return field_->isRefused();
 }
 
 void ParameterSlider::change(double value, SliderMotion motion) {
   if (motion != SliderMotion::stepping) endBurst();
   slider_->setNumber(value);
   field_->setNumber(slider_->number());
+  dropEntry();
   Q_EMIT valueChanged(value, motion == SliderMotion::dragging);
   if (motion == SliderMotion::stepping) burst_.start();
   if (motion == SliderMotion::done) Q_EMIT stepEnded();

@@ -10,6 +10,7 @@
 #include "ui/widgets/slider_scale.h"
 
 class QLabel;
+class QShortcut;
 
 namespace cutis {
 
@@ -27,10 +28,11 @@ class ParameterSlider : public QWidget {
   double value() const;
   // Clamps to the scale; silent.
   void setValue(double value);
+  // A number that was refused is forgotten.
+  void dropEntry();
+  bool isEntryRefused() const;
   // Why it cannot be moved now, which its tool tip says; empty if it can.
   void setResting(const QString& why);
-  // So that slider and field are reached in the order in which they stand.
-  QWidget* lastInTabOrder() const;
 
  Q_SIGNALS:
   // The user has changed it. While the slider is dragged stillMoving is true; the drag ends with
@@ -39,6 +41,8 @@ class ParameterSlider : public QWidget {
   // What has changed since the last one is one step: a drag, a typed number, or keys and notches
   // of the wheel that came without a pause.
   void stepEnded();
+  // A number was refused, or that is over.
+  void entryRefused();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -57,6 +61,7 @@ class ParameterSlider : public QWidget {
   FactorField* field_;
   QLabel* message_;
   QTimer burst_;
+  QShortcut* escape_;  // wherever the keyboard is, while a number is refused
 };
 
 }  // namespace cutis

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -31,11 +32,11 @@ ProgressStrip::ProgressStrip(QWidget* parent)
     : QWidget(parent),
       job_(new ElidedLabel(this)),
       bar_(new QProgressBar(this)),
-      cancel_(new CrossButton(tr("Cancel"), tr("Cancel (Esc)"), this)),
+      cancel_(new CrossButton(tr("Cancel"), tr("Cancel"), this)),
       messageMark_(new QLabel(this)),
       message_(new ElidedLabel(this)),
       dismiss_(new CrossButton(tr("Dismiss message"), tr("Dismiss"), this)),
-      readout_(new QLabel(this)),
+      readout_(new ElidedLabel(this)),
       escape_(new QShortcut(Qt::Key_Escape, this)) {
   setFixedHeight(kHeight);
   bar_->setRange(0, kSteps);
@@ -44,7 +45,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   bar_->setAccessibleName(tr("Progress"));
   // Digits of one width, so that the numbers stand still while the cursor moves.
   readout_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  readout_->setAccessibleName(tr("Under the cursor"));
+  readout_->setAccessibleDescription(tr("Under the cursor"));
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(theme::kSpace + theme::kHalfSpace, 0, theme::kSpace + theme::kHalfSpace,
@@ -63,14 +64,10 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 
   connect(cancel_, &QToolButton::clicked, this, &ProgressStrip::cancelWanted);
   connect(dismiss_, &QToolButton::clicked, this, [this] { dismiss(); });
-  // The buttons' own shortcuts would click visibly first and act a tenth of a second late.
-  connect(escape_, &QShortcut::activated, this, [this] {
-    if (jobRuns_) {
-      Q_EMIT cancelWanted();
-    } else {
-      dismiss();
-    }
-  });
+  // The button's own shortcut would click visibly first and act a tenth of a second late. Where an
+  // entry waits for Escape as well, each has its turn.
+  connect(escape_, &QShortcut::activated, this, &ProgressStrip::dismiss);
+  connect(escape_, &QShortcut::activatedAmbiguously, this, &ProgressStrip::dismiss);
   age_.setSingleShot(true);
   age_.setInterval(kNoticeMs);
   connect(&age_, &QTimer::timeout, this, &ProgressStrip::dismiss);
@@ -99,7 +96,6 @@ void ProgressStrip::setJob(const JobState& job) {
   job_->show();
   bar_->show();
   cancel_->show();
-  updateEscape();
 }
 
 void ProgressStrip::clearJob() {
@@ -107,7 +103,6 @@ void ProgressStrip::clearJob() {
   job_->hide();
   bar_->hide();
   cancel_->hide();
-  updateEscape();
 }
 
 const ProgressStrip::Message* ProgressStrip::current() const {
@@ -118,15 +113,25 @@ bool ProgressStrip::currentIsRead() const {
   return isVisible() && current() != nullptr && shownFor_.hasExpired(kReadingMs);
 }
 
+QString ProgressStrip::topicOf(const QString& text) const {
+  const auto said = std::find_if(messages_.begin(), messages_.end(),
+                                 [&](const Message& message) { return message.text == text; });
+  return said == messages_.end() ? QString() : said->topic;
+}
+
 void ProgressStrip::showMessage(const QString& text, bool isError, const QString& topic) {
-  const bool outranked = !isError && messageIsError();
-  if (!outranked && currentIsRead()) messages_.pop_back();
+  const Message message = {text, isError, topic.isEmpty() ? topicOf(text) : topic};
+  const bool isRead = currentIsRead();
+  const bool waits = !isError && messageIsError() && !isRead;
+  if (isRead && (isError || !messageIsError())) messages_.pop_back();
   messages_.remove_if([&](const Message& old) {
-    return (old.text == text && old.isError == isError) || (!topic.isEmpty() && old.topic == topic);
+    return (old.text == text && old.isError == isError) ||
+           (!message.topic.isEmpty() && old.topic == message.topic);
   });
-  const auto firstError = std::find_if(messages_.begin(), messages_.end(),
-                                       [](const Message& message) { return message.isError; });
-  messages_.insert(isError ? messages_.end() : firstError, {text, isError, topic});
+  auto place = messages_.end();
+  while (waits && place != messages_.begin() && std::prev(place)->isError)
+    --place;
+  messages_.insert(place, message);
   if (messages_.size() > kMostMessages) messages_.pop_front();
   showCurrent();
 }
@@ -182,9 +187,9 @@ void ProgressStrip::setReadout(const QString& text) {
   readout_->setText(text);
 }
 
-// While there is nothing to end, Escape belongs to whatever has the keyboard.
+// While there is nothing to dismiss, Escape belongs to whatever has the keyboard.
 void ProgressStrip::updateEscape() {
-  escape_->setEnabled(jobRuns_ || !message().isEmpty());
+  escape_->setEnabled(!message().isEmpty());
 }
 
 QString timeLeftText(double seconds) {

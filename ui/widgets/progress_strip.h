@@ -1,9 +1,9 @@
 #pragma once
 
 // The line at the foot of the window: the running job with its cancel button, a message, and the
-// read-out under the cursor on the right. Escape cancels the job; if none runs it dismisses the
-// message. Errors stay until they are dismissed; notices go after ten seconds. Interface thread
-// only.
+// read-out under the cursor on the right. Escape dismisses the message; it stops no job, as people
+// press it for much else. Errors stay until they are dismissed; notices go after ten seconds. What
+// has no room is shortened: the strip never widens the window. Interface thread only.
 
 #include <list>
 #include <optional>
@@ -40,9 +40,10 @@ class ProgressStrip : public QWidget {
   void clearJob();
   bool jobRuns() const { return jobRuns_; }
 
-  // Errors stand before notices, newer ones before older. A message that gives way to another after
-  // it has stood long enough to be read does not return; one that nobody could read yet does. Of
-  // one topic, such as the name of a job, the newest message alone is kept; an empty topic is none.
+  // The newest stands in front, but an error that nobody could read yet stands before notices. A
+  // notice that gives way to another message after it has stood long enough to be read does not
+  // return; an error does until it is dismissed or another error has come. Of one topic, such as
+  // the name of a job, the newest message alone is kept; an empty topic is none.
   void showMessage(const QString& text, bool isError, const QString& topic = {});
   void clearMessages();
   // What was said about the topic no longer holds.
@@ -71,6 +72,8 @@ class ProgressStrip : public QWidget {
 
   // Null if there is none.
   const Message* current() const;
+  // The topic of a message that is said again without one.
+  QString topicOf(const QString& text) const;
   bool currentIsRead() const;
   void dismiss();
   void showCurrent();
@@ -82,12 +85,12 @@ class ProgressStrip : public QWidget {
   QLabel* messageMark_;
   ElidedLabel* message_;
   QToolButton* dismiss_;
-  QLabel* readout_;
+  ElidedLabel* readout_;
   QShortcut* escape_;
 
   bool jobRuns_ = false;
   bool messagesShown_ = true;
-  std::list<Message> messages_;  // notices, then errors, each the oldest first; the last is shown
+  std::list<Message> messages_;  // the last is shown
   QElapsedTimer shownFor_;
   QTimer age_;  // of the notice that is shown
 };

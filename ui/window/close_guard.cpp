@@ -8,6 +8,7 @@
 #include "ui/dialogs/save_controller.h"
 #include "ui/documents/document_page.h"
 #include "ui/documents/document_tabs.h"
+#include "ui/widgets/progress_strip.h"
 
 namespace cutis {
 namespace {
@@ -31,6 +32,15 @@ bool isModified(DocumentPage& page) {
   return page.document().isModified();
 }
 
+constexpr char kWaitingTopic[] = "close when written";
+
+std::size_t lostWritesOf(const Pages& pages) {
+  std::size_t lost = 0;
+  for (const auto& page : pages)
+    lost += page ? page->lostWrites() : 0;
+  return lost;
+}
+
 // "face", "face and hand", "face, hand and 2 more".
 QString namesOf(const Pages& pages) {
   QStringList names;
@@ -46,8 +56,8 @@ QString namesOf(const Pages& pages) {
 
 }  // namespace
 
-CloseGuard::CloseGuard(DocumentTabs& tabs, QWidget& window)
-    : QObject(&window), tabs_(tabs), window_(window) {}
+CloseGuard::CloseGuard(DocumentTabs& tabs, ProgressStrip& progress, QWidget& window)
+    : QObject(&window), tabs_(tabs), progress_(progress), window_(window) {}
 
 void CloseGuard::closePage(DocumentPage& page) {
   const QPointer<DocumentPage> closed(&page);
@@ -84,11 +94,15 @@ void CloseGuard::close(const Pages& pages, const std::function<void()>& go) {
 
 void CloseGuard::askToWait(const Pages& writing, const Pages& pages,
                            const std::function<void()>& go) {
+  const std::size_t lost = lostWritesOf(writing);
   question_ = askQuestion(
       window_, tr("A file of %1 is still being written.").arg(namesOf(writing)),
       tr("Cutis can close as soon as it is done. If you stop it now, the file is not written."),
       {{tr("Wait and close"), QMessageBox::AcceptRole,
-        [this, writing, pages, go] { waitFor(writing, pages, go); }},
+        [this, writing, lost, pages, go] {
+          progress_.showMessage(tr("Closes when the file is written."), false, kWaitingTopic);
+          waitFor(writing, lost, pages, go);
+        }},
        {tr("Stop writing"), QMessageBox::DestructiveRole,
         [this, writing, pages, go] {
           for (const auto& page : writing) {
@@ -99,13 +113,17 @@ void CloseGuard::askToWait(const Pages& writing, const Pages& pages,
        {tr("Cancel"), QMessageBox::RejectRole}});
 }
 
-void CloseGuard::waitFor(const Pages& writing, const Pages& pages,
+void CloseGuard::waitFor(const Pages& writing, std::size_t lost, const Pages& pages,
                          const std::function<void()>& go) {
+  if (lostWritesOf(writing) > lost) return progress_.withdraw(kWaitingTopic);
   const Pages left = those(writing, isWriting);
-  if (left.empty()) return close(pages, go);
+  if (left.empty()) {
+    progress_.withdraw(kWaitingTopic);
+    return close(pages, go);
+  }
   connect(
       &left.front()->jobs(), &JobRunner::finished, this,
-      [this, writing, pages, go] { waitFor(writing, pages, go); },
+      [this, writing, lost, pages, go] { waitFor(writing, lost, pages, go); },
       static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
 }
 

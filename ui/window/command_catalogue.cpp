@@ -18,6 +18,7 @@
 #include "ui/view/view_catalogue.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
+#include "ui/window/job_display.h"
 #include "ui/window/preset_commands.h"
 #include "ui/window/private_data.h"
 
@@ -146,6 +147,16 @@ Rows editCommands(const Editor& editor) {
        .textNow =
            [history] {
              return history().canRedo() ? tr("&Redo %1").arg(history().redoName()) : tr("&Redo");
+           }},
+      {.id = "edit.cancelJob",
+       .menu = Menu::edit,
+       .text = tr("&Cancel what is running"),
+       .toolTip = tr("The job at the foot of the window: opening, fitting, writing a file"),
+       .shortcuts = {QKeySequence(tr("Ctrl+."))},
+       .run = [&jobs = editor.jobs] { jobs.cancelShown(); },
+       .objection =
+           [&jobs = editor.jobs] {
+             return jobs.showsJob() ? QString() : tr("Nothing is running");
            }},
       {.id = "edit.reset",
        .menu = Menu::edit,
@@ -277,6 +288,13 @@ Rows dockCommands(const Editor& editor) {
 Rows fitCommands(const Editor& editor) {
   const auto objection = [editor] { return unlessFittable(editor.document()); };
   return {
+      {.id = "fit.again",
+       .menu = Menu::fit,
+       .text = tr("&Fit"),
+       .toolTip = tr("As the Fit panel says, where a fit was cancelled"),
+       .shortcuts = {QKeySequence(tr("Ctrl+F5"))},
+       .run = [editor] { editor.page().fit().fitAgain(); },
+       .objection = [editor] { return editor.page().fit().objection(); }},
       {.id = "fit.loadProfile",
        .menu = Menu::fit,
        .text = tr("Load &profile…"),
@@ -294,7 +312,7 @@ Rows fitCommands(const Editor& editor) {
       {.id = "fit.train",
        .menu = Menu::fit,
        .text = tr("&Train a network…"),
-       .shortcuts = {QKeySequence(tr("Ctrl+T"))},
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+T"))},
        .run = [editor] { editor.page().training().train(); },
        .objection = objection},
   };

@@ -9,6 +9,7 @@
 namespace cutis {
 
 class CommandPalette;
+class JobDisplay;
 class OpenController;
 class ShortcutSheet;
 
@@ -18,6 +19,7 @@ struct Editor {
   OpenController& open;
   CommandPalette& palette;
   ShortcutSheet& shortcuts;
+  JobDisplay& jobs;
 
   // The one that is looked at when a command runs.
   DocumentPage& page() const { return tabs.current(); }

@@ -18,11 +18,16 @@ class JobDisplay : public QObject {
   Q_OBJECT
 
  public:
-  // The strip outlives the display; its cancel button cancels the job that is shown.
+  // The strip outlives the display; its cancel button calls cancelShown().
   explicit JobDisplay(ProgressStrip& progress, QObject* parent = nullptr);
 
   // Shows the jobs of this runner, too, for as long as it lives.
   void watch(JobRunner& jobs);
+
+  // Whether a job is shown.
+  bool showsJob() const { return !running_.empty(); }
+  // Cancels it, and says so.
+  void cancelShown();
 
  private:
   struct RunningJob {
@@ -34,7 +39,6 @@ class JobDisplay : public QObject {
   void begin(const RunningJob& job);
   void show(const RunningJob& job, const JobState& state);
   void retire(const std::function<bool(const RunningJob&)>& isOver);
-  void cancelShown();
 
   ProgressStrip& progress_;
   std::vector<RunningJob> running_;  // the newest last

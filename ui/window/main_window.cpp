@@ -62,7 +62,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
             return new DocumentPage(*engine_, *progress_, *commands_, stack);
           },
           this)),
-      closing_(new CloseGuard(*tabs_, *this)),
+      closing_(new CloseGuard(*tabs_, *progress_, *this)),
       finder_(new SourceFinder(*tabs_, *this)),
       recovery_(new Recovery(*tabs_, *progress_, *this)) {
   jobDisplay_->watch(jobs_);
@@ -96,7 +96,7 @@ void MainWindow::setUsualFit(const FitChoice& choice) {
 void MainWindow::fillTables() {
   auto* palette = new CommandPalette(*commands_, *this);
   auto* shortcuts = new ShortcutSheet(*commands_, *this);
-  commands_->add(commandCatalogue({*this, *tabs_, *opener_, *palette, *shortcuts}));
+  commands_->add(commandCatalogue({*this, *tabs_, *opener_, *palette, *shortcuts, *jobDisplay_}));
   ShortcutSettings(*commands_).restore();
   commands_->fill(*menuBar());
   addRecentMenu();
@@ -165,6 +165,7 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(document, &Document::fitted, this, &MainWindow::refreshCommands);
   connect(document, &Document::editsChanged, this, &MainWindow::refreshCommands);
   connect(document, &Document::fitChoiceChanged, this, &MainWindow::refreshCommands);
+  connect(&page.jobs(), &JobRunner::started, this, &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);
   connect(&page.workspace(), &Workspace::docksChanged, this, &MainWindow::refreshCommands);
