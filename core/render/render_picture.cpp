@@ -60,7 +60,7 @@ Result<PictureBuffer> editAlbedoPart(PictureBuffer source, const EditedSkin& ski
                                      int step) {
   if (!pure && isNeutral(skin.edits)) return source;
   CUTIS_TRY(samples, loadSamples(skin, rect, step));
-  samples.original = responseTo(samples.parameters, albedo);
+  samples.original = responseTo(*samples.parameters, albedo);
   return editAlbedoSamples(std::move(source), samples, skin.edits, skin.axes(), albedo, pure);
 }
 

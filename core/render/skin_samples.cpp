@@ -23,7 +23,7 @@ PictureBuffer emptyPicture(const SkinSamples& samples) {
 
 Result<ParameterBuffer> edited(const SkinSamples& samples, const EditStack& edits,
                                const ParameterAxes& axes) {
-  ParameterBuffer parameters = samples.parameters;
+  ParameterBuffer parameters = *samples.parameters;
   CUTIS_CHECK(applyEdits(edits, axes, samples.rect, samples.step, parameters));
   return parameters;
 }
@@ -51,10 +51,10 @@ ParameterBuffer partOf(const SkinSamples& samples, std::size_t first, std::size_
   ParameterBuffer part;
   part.values = PixelBuffer<float>(kParameterCount, count);
   for (std::size_t k = 0; k < kParameterCount; ++k) {
-    const auto row = samples.parameters.values[k].subspan(first, count);
+    const auto row = samples.parameters->values[k].subspan(first, count);
     std::copy(row.begin(), row.end(), part.values[k].begin());
   }
-  const auto present = samples.parameters.present.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto present = samples.parameters->present.begin() + static_cast<std::ptrdiff_t>(first);
   part.present.assign(present, present + static_cast<std::ptrdiff_t>(count));
   return part;
 }
@@ -105,7 +105,7 @@ Result<SkinSamples> loadSamples(const EditedSkin& skin, const Rect& rect, int st
   samples.rect = rect;
   samples.step = step;
   CUTIS_TRY(parameters, loadParameters(skin.maps, rect, step));
-  samples.parameters = std::move(parameters);
+  samples.parameters = std::make_shared<const ParameterBuffer>(std::move(parameters));
   return samples;
 }
 
@@ -125,13 +125,15 @@ SkinSamples thinned(const SkinSamples& samples, int n) {
   SkinSamples kept;
   kept.rect = samples.rect;
   kept.step = samples.step * n;
-  const PixelBuffer<float>& values = samples.parameters.values;
-  kept.parameters.values = PixelBuffer<float>(values.rowCount(), countOfEvery(width, height, n));
+  const PixelBuffer<float>& values = samples.parameters->values;
+  ParameterBuffer parameters;
+  parameters.values = PixelBuffer<float>(values.rowCount(), countOfEvery(width, height, n));
   for (std::size_t k = 0; k < values.rowCount(); ++k) {
     const std::vector<float> row = thinnedRow(values[k], width, height, n);
-    std::copy(row.begin(), row.end(), kept.parameters.values[k].begin());
+    std::copy(row.begin(), row.end(), parameters.values[k].begin());
   }
-  kept.parameters.present = thinnedStates(samples.parameters.present, width, height, n);
+  parameters.present = thinnedStates(samples.parameters->present, width, height, n);
+  kept.parameters = std::make_shared<const ParameterBuffer>(std::move(parameters));
   for (const std::vector<float>& channel : samples.original)
     kept.original.push_back(thinnedRow(channel, width, height, n));
   for (const std::vector<float>& channel : samples.tabulated)
@@ -154,7 +156,7 @@ Result<PictureBuffer> renderSamples(const SkinSamples& samples, const EditStack&
   PictureBuffer picture = emptyPicture(samples);
   if (isNeutral(edits) && !samples.original.empty()) {
     picture.channels = samples.original;
-    picture.present = samples.parameters.present;
+    picture.present = samples.parameters->present;
     return picture;
   }
   CUTIS_TRY(parameters, edited(samples, edits, axes));
@@ -165,7 +167,8 @@ Result<PictureBuffer> renderSamples(const SkinSamples& samples, const EditStack&
 
 Result<PictureBuffer> mapSamples(const SkinSamples& samples, const EditStack& edits,
                                  const ParameterAxes& axes, Parameter parameter) {
-  CUTIS_TRY(parameters, edited(samples, edits, axes));
+  ParameterBuffer parameters = partOf(samples, 0, samples.parameters->count());
+  CUTIS_CHECK(applyEdits(edits, axes, samples.rect, samples.step, parameters));
   PictureBuffer picture = emptyPicture(samples);
   const std::span<const float> values = parameters.values[static_cast<std::size_t>(parameter)];
   picture.channels.emplace_back(values.begin(), values.end());

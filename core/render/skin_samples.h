@@ -5,6 +5,7 @@
 //
 // Thread-safe: pure functions.
 
+#include <memory>
 #include <vector>
 
 #include "core/base/rect.h"
@@ -25,9 +26,10 @@ struct PictureBuffer {
 };
 
 struct SkinSamples {
-  Rect rect;                   // of the skin, in pixels
-  int step = 1;                // every step-th pixel of every step-th row of it
-  ParameterBuffer parameters;  // without edits
+  Rect rect;     // of the skin, in pixels
+  int step = 1;  // every step-th pixel of every step-th row of it
+  // Without edits; never null. Views of the same skin share them.
+  std::shared_ptr<const ParameterBuffer> parameters;
   // What a response makes of them, one vector per row of it, and what its table does; empty where
   // nobody needs it.
   std::vector<std::vector<float>> original;

@@ -14,6 +14,17 @@ namespace {
 // Rows of samples that one thread computes at a time.
 constexpr int kBandRows = 32;
 
+std::size_t bandCount(const Rect& rect, int step) {
+  const int height = kBandRows * step;
+  return static_cast<std::size_t>((rect.height() + height - 1) / height);
+}
+
+Rect bandOf(const Rect& rect, int step, std::size_t i) {
+  const int height = kBandRows * step;
+  const int y0 = rect.y0 + static_cast<int>(i) * height;
+  return {rect.x0, y0, rect.x1, std::min(y0 + height, rect.y1)};
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const ResponseModel>> responseFor(ViewKind view, const Scene& scene,
@@ -42,6 +53,7 @@ Result<std::shared_ptr<const ResponseModel>> responseFor(ViewKind view, const Sc
 
 Result<ViewSamples> ViewSamples::load(const Scene& scene, Engine& engine,
                                       const PictureRequest& picture, const ViewRequest& request,
+                                      const std::shared_ptr<const ViewSkin>& read,
                                       const JobContext& context) {
   ViewSamples samples;
   samples.request_ = request;
@@ -52,19 +64,38 @@ Result<ViewSamples> ViewSamples::load(const Scene& scene, Engine& engine,
   samples.table_ = engine.responseTable(response, scene.axes());
   const Rect& rect = samples.request_.rect;
   if (rect.empty()) return samples;
-  const int bandHeight = kBandRows * request.step;
-  samples.bands_.resize(static_cast<std::size_t>((rect.height() + bandHeight - 1) / bandHeight));
+  if (request.view != ViewKind::photograph) {
+    samples.skin_ = read;
+    if (read == nullptr || read->rect != rect || read->step != request.step) {
+      CUTIS_TRY(skin, readSkin(scene, rect, request.step, context));
+      samples.skin_ = skin;
+    }
+  }
+  samples.bands_.resize(bandCount(rect, request.step));
   CUTIS_CHECK(parallelFor(samples.bands_.size(), context, [&](std::size_t i) -> Status {
-    const int y0 = rect.y0 + static_cast<int>(i) * bandHeight;
-    CUTIS_TRY(band,
-              samples.loadBand(scene, {rect.x0, y0, rect.x1, std::min(y0 + bandHeight, rect.y1)}));
+    CUTIS_TRY(band, samples.loadBand(scene, i));
     samples.bands_[i] = std::move(band);
     return {};
   }));
   return samples;
 }
 
-Result<ViewSamples::Band> ViewSamples::loadBand(const Scene& scene, const Rect& rect) const {
+Result<std::shared_ptr<const ViewSkin>> ViewSamples::readSkin(const Scene& scene, const Rect& rect,
+                                                              int step, const JobContext& context) {
+  auto skin = std::make_shared<ViewSkin>();
+  skin->rect = rect;
+  skin->step = step;
+  skin->bands.resize(bandCount(rect, step));
+  CUTIS_CHECK(parallelFor(skin->bands.size(), context, [&](std::size_t i) -> Status {
+    CUTIS_TRY(band, loadSamples(scene, bandOf(rect, step, i), step));
+    skin->bands[i] = std::move(band);
+    return {};
+  }));
+  return std::shared_ptr<const ViewSkin>(std::move(skin));
+}
+
+Result<ViewSamples::Band> ViewSamples::loadBand(const Scene& scene, std::size_t i) const {
+  const Rect rect = bandOf(request_.rect, request_.step, i);
   const bool isPhotograph = request_.view == ViewKind::photograph;
   Band band;
   if (isPhotograph || request_.view == ViewKind::editedAlbedo) {
@@ -72,10 +103,9 @@ Result<ViewSamples::Band> ViewSamples::loadBand(const Scene& scene, const Rect& 
     band.photograph = std::move(photograph);
   }
   if (isPhotograph) return band;
-  CUTIS_TRY(skin, loadSamples(scene, rect, request_.step));
-  band.skin = std::move(skin);
-  if (response_) band.skin.original = responseTo(band.skin.parameters, *response_);
-  if (table_) band.skin.tabulated = responseTo(band.skin.parameters, *table_);
+  band.skin = skin_->bands[i];
+  if (response_) band.skin.original = responseTo(*band.skin.parameters, *response_);
+  if (table_) band.skin.tabulated = responseTo(*band.skin.parameters, *table_);
   return band;
 }
 

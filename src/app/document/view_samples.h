@@ -5,6 +5,7 @@
 //
 // Thread-safe: const after construction.
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -25,13 +26,26 @@ Result<std::shared_ptr<const ResponseModel>> responseFor(ViewKind view, const Sc
 
 enum class ViewAccuracy { exact, draft };
 
+// What views of one part at one step have in common, read once for all of them: the skin in bands
+// of rows.
+struct ViewSkin {
+  Rect rect;
+  int step = 1;
+  std::vector<SkinSamples> bands;
+};
+
 class ViewSamples {
  public:
-  // Of the part that a request asks for, cut to the picture. Preconditions: those of renderView().
+  // Of the part that a request asks for, cut to the picture. read: by another view of the same
+  // maps, to be used if it is of the same part; may be null. Preconditions: those of renderView().
   static Result<ViewSamples> load(const Scene& scene, Engine& engine, const PictureRequest& picture,
-                                  const ViewRequest& request, const JobContext& context);
+                                  const ViewRequest& request,
+                                  const std::shared_ptr<const ViewSkin>& read,
+                                  const JobContext& context);
 
   const ViewRequest& request() const { return request_; }
+  // For other views; null for the photograph.
+  const std::shared_ptr<const ViewSkin>& skin() const { return skin_; }
   // Every n-th sample of every n-th row. Precondition: n divides the rows of a band, 32.
   Result<ViewSamples> thinned(int n, const JobContext& context) const;
   // With these edits; masks are read anew. A draft is for while a control moves, see
@@ -45,7 +59,9 @@ class ViewSamples {
     PictureBuffer photograph;
   };
 
-  Result<Band> loadBand(const Scene& scene, const Rect& rect) const;
+  static Result<std::shared_ptr<const ViewSkin>> readSkin(const Scene& scene, const Rect& rect,
+                                                          int step, const JobContext& context);
+  Result<Band> loadBand(const Scene& scene, std::size_t i) const;
   Result<PictureBuffer> renderBand(const Band& band, const EditStack& edits,
                                    ViewAccuracy accuracy) const;
 
@@ -53,6 +69,7 @@ class ViewSamples {
   std::shared_ptr<const SkinModel> model_;
   std::shared_ptr<const ResponseModel> response_;
   std::shared_ptr<const ResponseTable> table_;  // null: of nothing that a table could say
+  std::shared_ptr<const ViewSkin> skin_;
   std::vector<Band> bands_;
 };
 

@@ -111,6 +111,7 @@ void ViewServer::invalidate(const std::function<bool(ViewKind)>& concerns) {
 
 void ViewServer::forgetSamples() {
   ++state_;
+  skin_ = nullptr;
   for (const auto& [id, watch] : watches_) {
     watch->samples_ = nullptr;
     watch->coarse_ = nullptr;
@@ -183,20 +184,20 @@ void ViewServer::start(ViewWatch& watch, Quality quality) {
       (quality == Quality::sharp && document_.isFitted() && willBeAveraged(watch, watch.request_));
   task_ = {watch.id_, quality, isDraft ? ViewAccuracy::draft : ViewAccuracy::exact, watch.request_,
            state_};
-  job_ = jobs_.startQuiet([this, task = task_, known = Made{nullptr, watch.samples_, watch.coarse_},
-                           scene = document_.scene(),
-                           picture = picture_](const JobRunner::Handle& job) {
-    auto made = make(task, known, scene, picture, job.context);
-    if (made.failed()) {
-      job.post([this, sentence = QString::fromStdString(made.error().text())] {
-        job_ = 0;
-        Q_EMIT failed(sentence);
-        startNext();
+  job_ = jobs_.startQuiet(
+      [this, task = task_, known = Made{nullptr, watch.samples_, watch.coarse_, skin_},
+       scene = document_.scene(), picture = picture_](const JobRunner::Handle& job) {
+        auto made = make(task, known, scene, picture, job.context);
+        if (made.failed()) {
+          job.post([this, sentence = QString::fromStdString(made.error().text())] {
+            job_ = 0;
+            Q_EMIT failed(sentence);
+            startNext();
+          });
+        } else if (made) {
+          job.post([this, task, result = std::move(made).value()] { deliver(task, result); });
+        }
       });
-    } else if (made) {
-      job.post([this, task, result = std::move(made).value()] { deliver(task, result); });
-    }
-  });
 }
 
 Result<ViewServer::Made> ViewServer::make(const Task& task, Made known, const Scene& scene,
@@ -204,7 +205,9 @@ Result<ViewServer::Made> ViewServer::make(const Task& task, Made known, const Sc
                                           const JobContext& context) const {
   const bool isAveraged = task.quality == Quality::averaged;
   if (known.samples == nullptr && !isAveraged) {
-    CUTIS_TRY(samples, ViewSamples::load(scene, engine_, picture, task.request, context));
+    CUTIS_TRY(samples,
+              ViewSamples::load(scene, engine_, picture, task.request, known.skin, context));
+    if (samples.skin() != nullptr) known.skin = samples.skin();
     known.samples = std::make_shared<const ViewSamples>(std::move(samples));
   }
   // While there is time for it: the next move will ask for them.
@@ -226,6 +229,7 @@ Result<ViewServer::Made> ViewServer::make(const Task& task, Made known, const Sc
 
 void ViewServer::deliver(const Task& task, const Made& made) {
   job_ = 0;
+  if (state_ == task.state) skin_ = made.skin;
   // The watch may be gone, or want another view by now.
   const auto found = watches_.find(task.watch);
   if (found != watches_.end() && found->second->request_.view == task.request.view) {

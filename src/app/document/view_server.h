@@ -104,6 +104,7 @@ class ViewServer : public QObject {
     std::shared_ptr<const ViewPart> part;
     std::shared_ptr<const ViewSamples> samples;
     std::shared_ptr<const ViewSamples> coarse;
+    std::shared_ptr<const ViewSkin> skin;  // that the view has read, or another before it
   };
   // What a job works for.
   struct Task {
@@ -146,6 +147,8 @@ class ViewServer : public QObject {
   std::uint64_t nextId_ = 1;
   std::uint64_t state_ = 0;  // counts the states of maps and light
   JobId job_ = 0;
+  // What was last read of the maps as they are; null: nothing.
+  std::shared_ptr<const ViewSkin> skin_;
   Task task_;             // of the job
   bool moving_ = false;   // a control is held …
   bool resting_ = false;  // … but has not moved for a while

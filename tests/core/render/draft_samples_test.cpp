@@ -59,22 +59,24 @@ const ResponseTable& table() {
 SkinSamples people(double share) {
   const auto points = sampleBox(axes(), kWidth * kHeight);
   SkinSamples samples;
+  ParameterBuffer people;
   samples.rect = {0, 0, kWidth, kHeight};
-  samples.parameters.values = PixelBuffer<float>(
+  people.values = PixelBuffer<float>(
       static_cast<std::size_t>(kParameterCount + discrepancy().count()), points.size());
   Random random(5);
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (int k = 0; k < kParameterCount; ++k)
-      samples.parameters.values[static_cast<std::size_t>(k)][i] = static_cast<float>(points[i][k]);
+      people.values[static_cast<std::size_t>(k)][i] = static_cast<float>(points[i][k]);
     for (int c = 0; c < discrepancy().count(); ++c) {
       const double deviation = std::sqrt(discrepancy().covariance(c, c));
-      samples.parameters.values[static_cast<std::size_t>(kParameterCount + c)][i] =
+      people.values[static_cast<std::size_t>(kParameterCount + c)][i] =
           static_cast<float>(share * deviation * random.normal());
     }
-    samples.parameters.present.push_back(i % 7 != 3);
+    people.present.push_back(i % 7 != 3);
   }
-  samples.original = responseTo(samples.parameters, daylight());
-  samples.tabulated = responseTo(samples.parameters, table());
+  samples.original = responseTo(people, daylight());
+  samples.tabulated = responseTo(people, table());
+  samples.parameters = std::make_shared<const ParameterBuffer>(std::move(people));
   return samples;
 }
 
@@ -94,8 +96,8 @@ std::vector<double> errorsOf(const EditStack& edits, double discrepancyShare) {
   if (!exact || !unedited) return errors;
   const auto draft = draftSamples(unedited.value(), samples, edits, axes(), table());
   if (!draft) return errors;
-  for (std::size_t i = 0; i < samples.parameters.count(); ++i) {
-    if (samples.parameters.present[i])
+  for (std::size_t i = 0; i < samples.parameters->count(); ++i) {
+    if (samples.parameters->present[i])
       errors.push_back(deltaE2000(lab(exact.value(), i), lab(draft.value(), i)));
   }
   return errors;
@@ -135,8 +137,8 @@ class DraftSamplesTest : public QObject {
     PictureBuffer grey;
     grey.width = kWidth;
     grey.height = kHeight;
-    grey.channels.assign(3, std::vector<float>(samples.parameters.count(), 0.3f));
-    grey.present.assign(samples.parameters.count(), true);
+    grey.channels.assign(3, std::vector<float>(samples.parameters->count(), 0.3f));
+    grey.present.assign(samples.parameters->count(), true);
     EditStack edits(1);
     edits[0].parameters[kMelanin].scale = 2.0;
     edits[0].mask = Plane(kWidth, kHeight);
@@ -144,7 +146,7 @@ class DraftSamplesTest : public QObject {
     const auto draft = draftSamples(grey, samples, edits, axes(), table());
     EXPECT_OK(draft);
     QVERIFY(draft.value().channels[1][0] < 0.3f);
-    for (std::size_t i = 1; i < samples.parameters.count(); ++i)
+    for (std::size_t i = 1; i < samples.parameters->count(); ++i)
       QCOMPARE(draft.value().channels[1][i], 0.3f);
   }
 };
