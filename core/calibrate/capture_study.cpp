@@ -18,7 +18,8 @@ namespace {
 // Where a darker skin's ultraviolet is all but the surface's reflection, what is left after taking
 // that off is error, and may be negative.
 constexpr double kLeastBelowSurface = 0.003;
-constexpr std::uint64_t kPeopleStream = 11, kLessonStream = 12, kCaptureNoiseStream = 13;
+constexpr std::uint64_t kPeopleStream = 11, kLessonStream = 12, kCaptureNoiseStream = 13,
+                        kFoldStream = 14;
 
 // [person]
 using PeopleChoice = std::vector<std::size_t>;
@@ -166,6 +167,42 @@ struct JudgedSet {
   std::vector<std::size_t> thirds;  // [person]
 };
 
+// What was estimated of a set by one estimator, lesson after lesson: figures of each lesson by
+// itself, or of all people at once when each was judged by one of them.
+class Judgement {
+ public:
+  Judgement(const JudgedSet& set, CaptureScheme scheme)
+      : set_(set), together_(scheme == CaptureScheme::foldLeftOut) {}
+
+  void take(const EstimatedSpectra& estimated, const PeopleChoice& judged) {
+    if (!together_) {
+      sum_.add(*set_.spectra, estimated, set_.people, judged, set_.thirds);
+      return;
+    }
+    if (all_.reflectance.size() == 0) all_ = estimated;
+    for (const std::size_t spectrum : spectraOf(set_.people, judged)) {
+      const auto column = static_cast<Eigen::Index>(spectrum);
+      all_.reflectance.col(column) = estimated.reflectance.col(column);
+      if (all_.deviation.size() > 0) {
+        all_.deviation.col(column) = estimated.deviation.col(column);
+      }
+    }
+    judged_.insert(judged_.end(), judged.begin(), judged.end());
+  }
+
+  void writeTo(CaptureResult& result) {
+    if (together_) sum_.add(*set_.spectra, all_, set_.people, judged_, set_.thirds);
+    sum_.writeTo(result);
+  }
+
+ private:
+  const JudgedSet& set_;
+  bool together_;
+  JudgementSum sum_;
+  EstimatedSpectra all_;
+  PeopleChoice judged_;
+};
+
 // Photographs of the people of a set whom an estimator may learn from, and of those it is judged
 // on.
 struct Lesson {
@@ -192,6 +229,7 @@ class CaptureRun {
       for (std::size_t model = 0; model < study_.models.size(); ++model)
         CUTIS_CHECK(judgeShipped(set, model));
       if (study_.halvings > 0) CUTIS_CHECK(judgeHalves(set));
+      if (study_.folds > 0) CUTIS_CHECK(judgeFolds(set));
       for (const JudgedSet& other : sets_) {
         if (other.index != set.index) CUTIS_CHECK(judgeSetLeftOut(set, other));
       }
@@ -204,7 +242,7 @@ class CaptureRun {
   JobContext next(const std::string& stage) {
     const auto sets = static_cast<double>(study_.sets.size());
     const auto models = static_cast<double>(study_.models.size());
-    const double parts = sets * (models + 1.0) * (2.0 * study_.halvings + sets);
+    const double parts = sets * (models + 1.0) * (2.0 * study_.halvings + study_.folds + sets);
     const double from = done_ / parts;
     done_ += 1.0;
     return context_.child(std::min(from, 1.0), std::min(done_ / parts, 1.0), stage);
@@ -230,17 +268,16 @@ class CaptureRun {
     return all;
   }
 
-  Status judgeFit(const std::shared_ptr<const SkinModel>& model, std::size_t modelIndex,
-                  const JudgedSet& set, const Lesson& lesson, bool discrepancy,
-                  const JobContext& context, JudgementSum& sum) const {
+  Result<EstimatedSpectra> fitted(const std::shared_ptr<const SkinModel>& model,
+                                  std::size_t modelIndex, const JudgedSet& set,
+                                  const Lesson& lesson, bool discrepancy,
+                                  const JobContext& context) const {
     const MeasurementGeometry& geometry = study_.models[modelIndex].geometry;
     const Eigen::MatrixXd channels =
         photographSpectra(lesson.rig, *set.spectra, geometry, study_.noise, lesson.noiseKey);
-    CUTIS_TRY(estimated, fitPhotographs(model, lesson.rig, optionsFor(discrepancy), channels,
-                                        spectraOf(set.people, lesson.judged), geometry,
-                                        set.spectra->wavelengthsNm, context));
-    sum.add(*set.spectra, estimated, set.people, lesson.judged, set.thirds);
-    return {};
+    return fitPhotographs(model, lesson.rig, optionsFor(discrepancy), channels,
+                          spectraOf(set.people, lesson.judged), geometry,
+                          set.spectra->wavelengthsNm, context);
   }
 
   Status judgeShipped(const JudgedSet& set, std::size_t model) {
@@ -254,11 +291,12 @@ class CaptureRun {
     for (const auto scheme : {CaptureScheme::asShipped, CaptureScheme::withoutDiscrepancy}) {
       const bool isShipped = scheme == CaptureScheme::asShipped;
       if (!isShipped && !hasOne) continue;
-      JudgementSum sum;
-      CUTIS_CHECK(judgeFit(shipped, model, set, lesson, isShipped,
-                           context.child(isShipped ? 0.0 : 0.5, isShipped && hasOne ? 0.5 : 1.0),
-                           sum));
-      add(CaptureEstimator::refined, model, scheme, set, set.index, sum);
+      Judgement judgement(set, scheme);
+      CUTIS_TRY(estimated,
+                fitted(shipped, model, set, lesson, isShipped,
+                       context.child(isShipped ? 0.0 : 0.5, isShipped && hasOne ? 0.5 : 1.0)));
+      judgement.take(estimated, lesson.judged);
+      add(CaptureEstimator::refined, model, scheme, set, set.index, judgement);
     }
     return {};
   }
@@ -280,6 +318,23 @@ class CaptureRun {
     return judgeLessons(set, CaptureScheme::peopleLeftOut, lessons);
   }
 
+  Status judgeFolds(const JudgedSet& set) {
+    Random random(study_.seed, kFoldStream);
+    const PeopleChoice order = inRandomOrder(set.people.size(), random);
+    const auto folds = static_cast<std::size_t>(study_.folds);
+    std::vector<Lesson> lessons;
+    for (std::size_t fold = 0; fold < folds; ++fold) {
+      const std::size_t from = order.size() * fold / folds;
+      const std::size_t to = order.size() * (fold + 1) / folds;
+      PeopleChoice judged, others;
+      for (std::size_t place = 0; place < order.size(); ++place)
+        (place >= from && place < to ? judged : others).push_back(order[place]);
+      lessons.push_back({set.index, learnable(others, study_.seed), judged,
+                         rigWithin(study_.rig, reachOf(*set.spectra)), noiseKey(set, 0)});
+    }
+    return judgeLessons(set, CaptureScheme::foldLeftOut, lessons);
+  }
+
   Status judgeSetLeftOut(const JudgedSet& set, const JudgedSet& other) {
     const Rig rig =
         rigWithin(rigWithin(study_.rig, reachOf(*set.spectra)), reachOf(*other.spectra));
@@ -292,20 +347,22 @@ class CaptureRun {
                       const std::vector<Lesson>& lessons) {
     const std::size_t learnedFrom = lessons.front().learnedFrom;
     for (std::size_t model = 0; model < study_.models.size(); ++model) {
-      JudgementSum sum;
+      Judgement judgement(set, scheme);
       for (const Lesson& lesson : lessons) {
         const JobContext context = next("learning from some, judging on others");
         CUTIS_TRY(learned, learnedModel(model, lesson, context.child(0.0, 0.9)));
-        CUTIS_CHECK(judgeFit(learned, model, set, lesson, true, context.child(0.9, 1.0), sum));
+        CUTIS_TRY(estimated, fitted(learned, model, set, lesson, true, context.child(0.9, 1.0)));
+        judgement.take(estimated, lesson.judged);
       }
-      add(CaptureEstimator::refined, model, scheme, set, learnedFrom, sum);
+      add(CaptureEstimator::refined, model, scheme, set, learnedFrom, judgement);
     }
-    JudgementSum linear, quadratic;
+    Judgement linear(set, scheme), quadratic(set, scheme);
     for (const Lesson& lesson : lessons) {
       if (context_.stopRequested()) return Cancelled{};
       next("learning from some, judging on others");
-      judgeWiener(set, lesson, WienerFeatures::channels, linear);
-      judgeWiener(set, lesson, WienerFeatures::channelsAndSquares, quadratic);
+      linear.take(wienerEstimated(set, lesson, WienerFeatures::channels), lesson.judged);
+      quadratic.take(wienerEstimated(set, lesson, WienerFeatures::channelsAndSquares),
+                     lesson.judged);
     }
     add(CaptureEstimator::wiener, 0, scheme, set, learnedFrom, linear);
     add(CaptureEstimator::quadraticWiener, 0, scheme, set, learnedFrom, quadratic);
@@ -328,8 +385,8 @@ class CaptureRun {
     return withDiscrepancy(*studied.model, study_.surface, learned);
   }
 
-  void judgeWiener(const JudgedSet& set, const Lesson& lesson, WienerFeatures features,
-                   JudgementSum& sum) const {
+  EstimatedSpectra wienerEstimated(const JudgedSet& set, const Lesson& lesson,
+                                   WienerFeatures features) const {
     const MeasurementGeometry& geometry = study_.models.front().geometry;
     const MeasuredSpectra training = learnedSpectra(lesson);
     const WienerEstimate wiener(features, photographSpectra(lesson.rig, training, geometry, 0.0, 0),
@@ -338,18 +395,18 @@ class CaptureRun {
     EstimatedSpectra estimated;
     estimated.reflectance = wiener.estimate(
         photographSpectra(lesson.rig, *set.spectra, geometry, study_.noise, lesson.noiseKey));
-    sum.add(*set.spectra, estimated, set.people, lesson.judged, set.thirds);
+    return estimated;
   }
 
   void add(CaptureEstimator estimator, std::size_t model, CaptureScheme scheme,
-           const JudgedSet& set, std::size_t learnedFrom, const JudgementSum& sum) {
+           const JudgedSet& set, std::size_t learnedFrom, Judgement& judgement) {
     CaptureResult result;
     result.estimator = estimator;
     result.model = model;
     result.scheme = scheme;
     result.set = set.index;
     result.learnedFrom = learnedFrom;
-    sum.writeTo(result);
+    judgement.writeTo(result);
     results_.push_back(std::move(result));
   }
 

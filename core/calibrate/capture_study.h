@@ -6,12 +6,12 @@
 //
 // A model keeps its constants; what it leaves over of measured skin, and the prior of the people,
 // are learned again (core/calibrate/discrepancy_learning.h) from half of the people, drawn at
-// random, and judged on the other half, both ways; or learned from one set and judged on another.
-// Wiener estimates are trained on the same spectra. Of more than kMostLearned people as many are
-// drawn to learn from.
+// random, and judged on the other half, both ways; or from all people but a part, part after part;
+// or learned from one set and judged on another. Wiener estimates are trained on the same spectra.
+// Of more than kMostLearned people as many are drawn to learn from.
 //
-// Figures of halves are the means over the halves. Deterministic by the seed, for any number of
-// threads.
+// Figures of halves are the means over the halves; those of parts are of all people at once.
+// Deterministic by the seed, for any number of threads.
 
 #include <array>
 #include <cstddef>
@@ -48,6 +48,9 @@ struct CaptureStudy {
   // noise of reading; at 0 it is the exact setting with the discrepancy asked for.
   double noise = 0.0;
   int halvings = 10;  // from 0
+  // Into how many parts of equal size, but for one person, the people are divided at random, each
+  // of which is judged by what the others teach; 0: not at all.
+  int folds = 0;
   std::uint64_t seed = 1;
 };
 
@@ -58,6 +61,7 @@ enum class CaptureScheme {
   asShipped,           // the profile as it is
   withoutDiscrepancy,  // the profile, told that it leaves nothing over; where it has a discrepancy
   peopleLeftOut,       // learned from the other half of the set
+  foldLeftOut,         // learned from all of the set but the part that they are in
   setLeftOut,          // learned from another set
 };
 
@@ -78,8 +82,9 @@ struct CaptureResult {
 //
 // Preconditions: at least one set and model; spectra from 400 to 700 nm without a gap, and there
 // above the surface reflection; with halvings at least 2 · kFewestPeople people a set, with several
-// sets kFewestPeople. Errors: those of learnDiscrepancy(). Cancelled if asked to stop. About 0.5 s
-// a half of 25 people and model.
+// sets kFewestPeople; folds 0 or from 2 to the people of each set, of whom all but the largest part
+// are kFewestPeople at least. Errors: those of learnDiscrepancy(). Cancelled if asked to stop.
+// About 0.5 s a half of 25 people and model.
 Result<std::vector<CaptureResult>> runCaptureStudy(const CaptureStudy& study,
                                                    const JobContext& context);
 

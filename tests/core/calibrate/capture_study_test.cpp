@@ -135,6 +135,40 @@ class CaptureStudyTest : public QObject {
     QVERIFY(std::isnan(results.value()[2].figures[0][2].median));
   }
 
+  void partsJudgeEverybodyOnce() {
+    CaptureStudy study = wavyStudy();
+    study.halvings = 0;
+    study.folds = 20;
+    const auto alone = runCaptureStudy(study, {});
+    EXPECT_OK(alone);
+    QCOMPARE(alone.value().size(), std::size_t{4});
+    const double shipped =
+        medianOf(alone.value(), CaptureEstimator::refined, CaptureScheme::asShipped);
+    const double learned =
+        medianOf(alone.value(), CaptureEstimator::refined, CaptureScheme::foldLeftOut);
+    EXPECT_AT_MOST(learned, 0.5 * shipped);
+    QVERIFY(medianOf(alone.value(), CaptureEstimator::wiener, CaptureScheme::foldLeftOut) > 0.0);
+    // Of all people at once: nobody is worse than the worst, and coverage is a share of them all.
+    for (const CaptureResult& result : alone.value()) {
+      double worst = 0.0;
+      for (std::size_t group = 1; group < kCaptureGroups; ++group)
+        worst = std::max(worst, result.figures[group][0].worst);
+      QCOMPARE(worst, result.figures[0][0].worst);
+    }
+    // With one person a part chance decides nothing but the noise.
+    study.noise = 0.0;
+    const auto one = runCaptureStudy(study, {});
+    study.seed = 2;
+    const auto other = runCaptureStudy(study, {});
+    EXPECT_OK(one);
+    EXPECT_OK(other);
+    QVERIFY(areSame(one.value(), other.value()));
+    study.folds = 2;
+    const auto halves = runCaptureStudy(study, {});
+    EXPECT_OK(halves);
+    QVERIFY(!areSame(one.value(), halves.value()));
+  }
+
   void aDiscrepancyCanBeLeftOut() {
     CaptureStudy study = wavyStudy();
     study.halvings = 0;

@@ -111,6 +111,23 @@ class ValidateCaptureTest : public QObject {
     QVERIFY(run_.read("one.csv").find("people-left-out") == std::string::npos);
   }
 
+  void partsAreLeftOut() {
+    const Outcome outcome = run_.run(
+        "validate skin.csv --capture albedo --profile li2024 --halvings 0 --folds 3 -o parts.csv "
+        "--plot parts.svg");
+    EXPECT_DONE(outcome);
+    const auto figures = figuresIn(run_.read("parts.csv"));
+    for (const char* key : {"refined,fold-left-out,400-700", "wiener,fold-left-out,700-1000",
+                            "wiener2,fold-left-out dark,320-400"})
+      QVERIFY2(figures.contains(key), key);
+    for (const auto& [key, values] : figures)
+      QVERIFY2(key.find("people-left-out") == std::string::npos, key.c_str());
+    QVERIFY2(outcome.output.find("the people in 3 random parts") != std::string::npos,
+             outcome.output.c_str());
+    QVERIFY(run_.read("parts.svg").find("learned from all but a few of the people") !=
+            std::string::npos);
+  }
+
   // A colour alone, in the exact setting; files are judged by each other.
   void filesAreLeftOut() {
     const Outcome outcome = run_.run(
@@ -158,6 +175,14 @@ class ValidateCaptureTest : public QObject {
     QTest::newRow("much noise") << good + "--noise 0.5" << 2 << "--noise";
     QTest::newRow("negative noise") << good + "--noise=-0.1" << 2 << "--noise";
     QTest::newRow("halvings") << good + "--halvings 1.5" << 2 << "--halvings";
+    QTest::newRow("one part") << good + "--folds 1" << 2 << "--folds";
+    QTest::newRow("too few for parts")
+        << "validate nine.csv --profile li2024 --capture monitor --halvings 0 --folds 2" << 3
+        << "nine.csv: too few people for 2 parts";
+    QTest::newRow("more parts than people")
+        << good + "--halvings 0 --folds 19" << 3 << "skin.csv: too few people for 19 parts";
+    QTest::newRow("parts without a capture")
+        << "validate skin.csv --folds 3" << 2 << "--folds: this goes with --capture";
     QTest::newRow("aperture") << good + "--aperture-radius 4" << 2 << "--aperture-radius";
     QTest::newRow("same names") << good + "other/skin.csv" << 2 << "two files are called the same";
     QTest::newRow("darker than the surface")

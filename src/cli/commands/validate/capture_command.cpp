@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kMostCaptureNoise = 0.2;
 constexpr int kMostHalvings = 1000;
+constexpr int kFewestFolds = 2, kMostFolds = 1000;
 
 // A file's name without folder and extension, as one word of a table.
 std::string captureWord(const std::string& path) {
@@ -46,6 +47,31 @@ Status checkDifferent(const std::vector<std::string>& words, const std::string& 
 
 std::string countedPeople(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " person" : " people");
+}
+
+// Whether there are people enough for halves, parts, and another file to learn from.
+Status checkPeople(const CapturedFile& file, const CaptureStudy& study) {
+  const std::size_t people = peopleOf(file.spectra).size();
+  if (study.halvings > 0 && people < 2 * kFewestPeople) {
+    return inputError(file.path, "too few people for halves: " + std::to_string(people) +
+                                     " where at least " + std::to_string(2 * kFewestPeople) +
+                                     " are needed; give more, or --halvings 0");
+  }
+  const auto folds = static_cast<std::size_t>(study.folds);
+  if (folds > 0 && (people < folds || people - (people + folds - 1) / folds < kFewestPeople)) {
+    return inputError(file.path, "too few people for " + std::to_string(folds) + " parts: of " +
+                                     std::to_string(people) +
+                                     " every part needs one, and what is "
+                                     "left " +
+                                     std::to_string(kFewestPeople) +
+                                     "; give more, or another number with --folds");
+  }
+  if (study.sets.size() > 1 && people < kFewestPeople) {
+    return inputError(file.path, "too few people to learn from: " + std::to_string(people) +
+                                     " where at least " + std::to_string(kFewestPeople) +
+                                     " are needed; give this file alone");
+  }
+  return {};
 }
 
 // Whether the spectra can be photographed and, as far as asked for, learned from.
@@ -70,18 +96,7 @@ Status checkFile(const CapturedFile& file, const CaptureStudy& study) {
                                        "--specular-share");
     }
   }
-  const std::size_t people = peopleOf(spectra).size();
-  if (study.halvings > 0 && people < 2 * kFewestPeople) {
-    return inputError(file.path, "too few people for halves: " + std::to_string(people) +
-                                     " where at least " + std::to_string(2 * kFewestPeople) +
-                                     " are needed; give more, or --halvings 0");
-  }
-  if (study.sets.size() > 1 && people < kFewestPeople) {
-    return inputError(file.path, "too few people to learn from: " + std::to_string(people) +
-                                     " where at least " + std::to_string(kFewestPeople) +
-                                     " are needed; give this file alone");
-  }
-  return {};
+  return checkPeople(file, study);
 }
 
 Result<CaptureStudy> captureStudyOf(const CaptureOptions& options, const CaptureRequest& request) {
@@ -95,6 +110,10 @@ Result<CaptureStudy> captureStudyOf(const CaptureOptions& options, const Capture
   if (!options.halvings.empty()) {
     CUTIS_TRY(halvings, wholeNumber("--halvings", options.halvings, 0, kMostHalvings));
     study.halvings = halvings;
+  }
+  if (!options.folds.empty()) {
+    CUTIS_TRY(folds, wholeNumber("--folds", options.folds, kFewestFolds, kMostFolds));
+    study.folds = folds;
   }
   if (!options.seed.empty()) {
     CUTIS_TRY(seed, seedNumber("--seed", options.seed));
@@ -151,10 +170,14 @@ std::string captureLegend(const CaptureStudy& study) {
         std::to_string(2 * study.halvings) +
         " random halves.\nSpectra of one name are one person's.\n";
   }
+  if (study.folds > 0) {
+    text += "fold-left-out: the people in " + std::to_string(study.folds) +
+            " random parts, each judged by what all others taught; figures of all people.\n";
+  }
   if (study.sets.size() > 1) {
     text += "set-left-out: learned from one file, judged on the other.\n";
   }
-  if (study.halvings > 0 || study.sets.size() > 1) {
+  if (study.halvings > 0 || study.folds > 0 || study.sets.size() > 1) {
     text +=
         "Profiles keep their constants and learn what they leave over; wiener and wiener2 are "
         "the linear and the\nquadratic Wiener estimate, trained on the same spectra, of at "
@@ -190,8 +213,11 @@ void addCaptureOptions(CLI::App& command, CaptureOptions& options) {
       command, "--halvings", options.halvings, "N",
       "With --capture: times to halve the people at random, learn from each half and judge on "
       "the other (default: 10)");
+  addOption(command, "--folds", options.folds, "K",
+            "With --capture: also divide the people at random into K parts, learn from all but one "
+            "and judge on that, part after part (default: not done)");
   addOption(command, "--seed", options.seed, "N",
-            "With --capture: seed of noise and halves (default: 1)");
+            "With --capture: seed of noise, halves and parts (default: 1)");
 }
 
 Status requireCapture(const CaptureOptions& options) {
@@ -199,7 +225,8 @@ Status requireCapture(const CaptureOptions& options) {
   using Given = std::pair<const char*, const std::string&>;
   for (const auto& [name, text] :
        {Given("--noise", options.noise), Given("-o", options.table),
-        Given("--halvings", options.halvings), Given("--seed", options.seed)}) {
+        Given("--halvings", options.halvings), Given("--folds", options.folds),
+        Given("--seed", options.seed)}) {
     if (!text.empty()) return usageError(name, "this goes with --capture");
   }
   return {};

@@ -20,6 +20,7 @@ struct CaptureOptions {
   std::string noise;
   std::string table;
   std::string halvings;
+  std::string folds;
   std::string seed;
 };
 

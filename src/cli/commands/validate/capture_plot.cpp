@@ -20,6 +20,7 @@ constexpr double kWideNm = 450.0;
 struct PanelKey {
   std::size_t set = 0;
   bool isShipped = false;
+  bool isFold = false;
   std::size_t learnedFrom = 0;
 
   bool operator==(const PanelKey&) const = default;
@@ -28,7 +29,7 @@ struct PanelKey {
 PanelKey keyOf(const CaptureResult& result) {
   const bool isShipped = result.scheme == CaptureScheme::asShipped ||
                          result.scheme == CaptureScheme::withoutDiscrepancy;
-  return {result.set, isShipped, result.learnedFrom};
+  return {result.set, isShipped, result.scheme == CaptureScheme::foldLeftOut, result.learnedFrom};
 }
 
 Stroke strokeOf(const CaptureResult& result) {
@@ -59,6 +60,9 @@ std::string titleOf(const CaptureResult& result, const CaptureNames& names) {
   if (keyOf(result).isShipped) return set + ", profiles as they are";
   if (result.scheme == CaptureScheme::setLeftOut) {
     return set + ", learned from " + names.sets[result.learnedFrom];
+  }
+  if (result.scheme == CaptureScheme::foldLeftOut) {
+    return set + ", learned from all but a few of the people";
   }
   return set + ", learned from the other half of the people";
 }

@@ -22,6 +22,8 @@ const char* wordOf(CaptureScheme scheme) {
       return "without-discrepancy";
     case CaptureScheme::peopleLeftOut:
       return "people-left-out";
+    case CaptureScheme::foldLeftOut:
+      return "fold-left-out";
     case CaptureScheme::setLeftOut:
       break;
   }
