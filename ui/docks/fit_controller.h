@@ -33,6 +33,7 @@ class FitController : public QObject {
 
  private:
   void showChoice(FitPanel& panel) const;
+  void showExposure(FitPanel& panel) const;
 
   Document& document_;
 };
