@@ -32,9 +32,11 @@ namespace cutis {
 namespace {
 
 constexpr int kCommandPatienceMs = 120000;
-// Of another document, or of none; see DocumentTabsTest.
-const QStringList kLeavingCommands = {"file.quit", "file.close", "view.nextDocument",
-                                      "view.previousDocument"};
+// Of another document, or of none; see DocumentTabsTest. Those of files are not for the sample; see
+// MaskWindowTest.
+const QStringList kLeavingCommands = {
+    "file.quit",        "file.close",      "view.nextDocument", "view.previousDocument",
+    "file.interpretAs", "file.chooseMask", "file.removeMask"};
 
 class CommandsTest : public test::UiTest {
   Q_OBJECT

@@ -36,6 +36,14 @@ class DockColumnTest : public QObject {
              (Heights{100, 100, 200}));
   }
 
+  // Sliders are missed where they are out of sight; lists can be scrolled.
+  void listsGiveWayToPanels() {
+    QCOMPARE(settledHeights({{100, 300, false}, {200, 150, true, 60}}), (Heights{240, 60}));
+    QCOMPARE(settledHeights({{100, 120, false}, {80, 150, true, 60}}), (Heights{120, 60}));
+    QCOMPARE(settledHeights({{100, 200, false}, {80, 90, false}, {50, 90, true, 60}}),
+             (Heights{100, 80, 50}));
+  }
+
   void nothingIsLostByRounding() {
     for (int height = 1; height < 400; height += 7) {
       const std::vector<ColumnPlace> places = {

@@ -2,6 +2,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QStandardItemModel>
@@ -88,6 +90,35 @@ class FitPanelTest : public test::UiTest {
     QCOMPARE(box("Method")->currentText(), QString("Three-stage"));
   }
 
+  void theExposureIsANumberWithItsReason() {
+    panel_->showExposure(0.71, 0.98);
+    panel_->show({}, Subject::photographs);
+    auto* field = panel_->findChild<QLineEdit*>();
+    QVERIFY2(!field->isVisibleTo(panel_.get()), "photographs are calibrated");
+    panel_->show({}, Subject::texture);
+    QVERIFY(field->isVisibleTo(panel_.get()));
+    QCOMPARE(field->text(), QString("×0.71"));
+    QVERIFY(label("Why this exposure")->text().contains("98 %"));
+    QSignalSpy changed(panel_.get(), &FitPanel::changed);
+    type(field, "0,5");
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(changed[0][0].value<FitChoice>().exposure, std::optional<double>(0.5));
+    panel_->show(changed[0][0].value<FitChoice>(), Subject::texture);
+    panel_->showExposure(0.5, {});
+    QVERIFY(label("Why this exposure")->text().contains("you"));
+    type(field, "much");
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(field->text(), QString("much"));
+    QTest::keyClick(field, Qt::Key_Escape);
+    QCheckBox* automatic = nullptr;
+    for (QCheckBox* box : panel_->findChildren<QCheckBox*>())
+      if (box->text() == "Automatic") automatic = box;
+    QVERIFY(!automatic->isChecked());
+    QTest::mouseClick(automatic, Qt::LeftButton, {}, {8, automatic->height() / 2});
+    QCOMPARE(changed.count(), 2);
+    QVERIFY(!changed[1][0].value<FitChoice>().exposure);
+  }
+
   // A file is offered as long as it is shown, and for good once it was fitted with.
   void filesAreOfferedOnceTheyAreGood() {
     const int count = box("Profile")->count();
@@ -131,6 +162,17 @@ class FitPanelTest : public test::UiTest {
       if (candidate->accessibleName() == name) return candidate;
     }
     return nullptr;
+  }
+  QLabel* label(const QString& name) const {
+    for (QLabel* candidate : panel_->findChildren<QLabel*>()) {
+      if (candidate->accessibleName() == name) return candidate;
+    }
+    return nullptr;
+  }
+  static void type(QLineEdit* field, const QString& text) {
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
   }
   QCheckBox* shading() const { return panel_->findChild<QCheckBox*>(); }
 

@@ -14,6 +14,7 @@
 #include <QScreen>
 #include <QScrollArea>
 
+#include "src/app/open/image_search.h"
 #include "src/files/rig_file.h"
 #include "ui/dialogs/file_field.h"
 #include "ui/theme/theme.h"

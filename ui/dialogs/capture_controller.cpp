@@ -6,6 +6,7 @@
 
 #include "src/app/job_runner.h"
 #include "src/app/open/capture_candidates.h"
+#include "src/app/open/image_search.h"
 #include "src/images/capture/capture_description.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/maps/maps_file.h"

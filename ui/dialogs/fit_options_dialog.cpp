@@ -7,6 +7,7 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -18,21 +19,27 @@
 namespace cutis {
 namespace {
 
+enum SpecularKind { kUnknown, kKeptOut, kContained };
 enum NoiseKind { kOfRig, kOwn, kNone };
 enum DiscrepancyKind { kUsual, kOn, kOff };
 
 constexpr double kMostNoise = 1.0;
 constexpr int kNoiseDecimals = 5;
 constexpr int kValueDecimals = 4;
+constexpr double kShareStep = 0.005;
+constexpr int kLightsInRow = 3;
 
 }  // namespace
 
 FitOptionsDialog::FitOptionsDialog(const FitChoice& choice, const Profile& profile,
-                                   const std::array<double, 2>& usualNoise, QWidget* parent)
+                                   const std::array<double, 2>& usualNoise,
+                                   const CaptureLights& lights, QWidget* parent)
     : QDialog(parent),
       base_(choice),
       profile_(profile),
       usualNoise_(usualNoise),
+      specular_(new QComboBox(this)),
+      share_(new QDoubleSpinBox(this)),
       noise_(new QComboBox(this)),
       deviations_{new QDoubleSpinBox(this), new QDoubleSpinBox(this)},
       prior_(new FileField({tr("Prior"), tr("The profile's"),
@@ -52,6 +59,7 @@ FitOptionsDialog::FitOptionsDialog(const FitChoice& choice, const Profile& profi
   form->setSpacing(theme::kSpace);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  addCapture(*form, lights);
   addNoise(*form, usualNoise);
   form->addRow(tr("&Prior"), prior_);
   addHeld(*form);
@@ -69,7 +77,42 @@ FitOptionsDialog::FitOptionsDialog(const FitChoice& choice, const Profile& profi
   column->addStretch(1);
   column->addWidget(note_);
   column->addWidget(buttons());
+  orderTabs();
   take(choice);
+}
+
+void FitOptionsDialog::addCapture(QFormLayout& form, const CaptureLights& lights) {
+  auto* grid = new QGridLayout;
+  grid->setSpacing(theme::kSpace);
+  for (const std::string& name : lights.all) {
+    auto* box = new QCheckBox(QString::fromStdString(name), this);
+    box->setChecked(std::find(lights.used.begin(), lights.used.end(), name) != lights.used.end());
+    box->setToolTip(tr("Whether the photograph under this light is used"));
+    connect(box, &QCheckBox::toggled, this, &FitOptionsDialog::check);
+    const int count = static_cast<int>(lights_.size());
+    grid->addWidget(box, count / kLightsInRow, count % kLightsInRow);
+    lights_.push_back(box);
+  }
+  form.addRow(tr("Lights"), grid);
+  form.setRowVisible(grid, !lights.all.empty());
+  specular_->addItem(tr("Not known"));
+  specular_->addItem(tr("Kept out, by polarisers or the lights' direction"));
+  specular_->addItem(tr("In the photographs: take it off"));
+  specular_->setAccessibleName(tr("Surface reflection"));
+  specular_->setToolTip(
+      tr("The light that the skin's surface reflects before it has been in the skin"));
+  share_->setRange(0.0, kMostSpecularShare);
+  share_->setDecimals(kValueDecimals);
+  share_->setSingleStep(kShareStep);
+  share_->setAccessibleName(tr("Surface reflection, share"));
+  share_->setToolTip(tr("Where a white diffuser reads 1"));
+  connect(specular_, &QComboBox::currentIndexChanged, this, &FitOptionsDialog::check);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(theme::kSpace);
+  row->addWidget(specular_, 1);
+  row->addWidget(share_);
+  form.addRow(tr("Surface reflection"), row);
+  form.setRowVisible(row, !lights.all.empty());
 }
 
 void FitOptionsDialog::addNoise(QFormLayout& form, const std::array<double, 2>& usual) {
@@ -141,11 +184,34 @@ QWidget* FitOptionsDialog::buttons() {
   auto* reset = box->addButton(tr("&Reset"), QDialogButtonBox::ResetRole);
   connect(box, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(box, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(reset, &QPushButton::clicked, this, [this] { take({}); });
+  connect(reset, &QPushButton::clicked, this, [this] {
+    take({});
+    for (QCheckBox* light : lights_)
+      light->setChecked(true);
+  });
   return box;
 }
 
+// As the eye goes, whichever was made first.
+void FitOptionsDialog::orderTabs() {
+  std::vector<QWidget*> order(lights_.begin(), lights_.end());
+  order.insert(order.end(), {specular_, share_, noise_, deviations_[0], deviations_[1], prior_});
+  for (const HeldRow& row : held_)
+    order.insert(order.end(), {row.held, row.value});
+  order.insert(order.end(), {oxygenation_, thickness_, discrepancy_, fit_});
+  for (std::size_t k = 1; k < order.size(); ++k)
+    setTabOrder(order[k - 1], order[k]);
+}
+
+void FitOptionsDialog::takeSpecular(const FitChoice& choice) {
+  specular_->setCurrentIndex(!choice.specular                            ? kUnknown
+                             : choice.specular == SpecularPart::included ? kContained
+                                                                         : kKeptOut);
+  share_->setValue(choice.specularShare);
+}
+
 void FitOptionsDialog::take(const FitChoice& choice) {
+  takeSpecular(choice);
   const bool isExact = choice.noise == std::array<double, 2>{0.0, 0.0};
   noise_->setCurrentIndex(!choice.noise ? kOfRig : isExact ? kNone : kOwn);
   const auto shown = choice.noise.value_or(usualNoise_);
@@ -180,8 +246,33 @@ FitChoice FitOptionsDialog::choice() const {
   if (discrepancy_->currentIndex() != kUsual) {
     choice.discrepancy = discrepancy_->currentIndex() == kOn;
   }
+  addSpecular(choice);
   if (choice.hasRefinements()) choice.method = FitMethod::refined;
   return choice;
+}
+
+// Polarisers or not, what is kept out is out.
+void FitOptionsDialog::addSpecular(FitChoice& choice) const {
+  const bool wasKeptOut = choice.specular && *choice.specular != SpecularPart::included;
+  switch (specular_->currentIndex()) {
+    case kUnknown:
+      choice.specular.reset();
+      break;
+    case kKeptOut:
+      if (!wasKeptOut) choice.specular = SpecularPart::excluded;
+      break;
+    default:
+      choice.specular = SpecularPart::included;
+  }
+  if (specular_->currentIndex() == kContained) choice.specularShare = share_->value();
+}
+
+std::vector<std::string> FitOptionsDialog::lights() const {
+  std::vector<std::string> used;
+  for (const QCheckBox* light : lights_) {
+    if (light->isChecked()) used.push_back(light->text().toStdString());
+  }
+  return used.size() == lights_.size() ? std::vector<std::string>() : used;
 }
 
 QString FitOptionsDialog::objection() const {
@@ -189,6 +280,13 @@ QString FitOptionsDialog::objection() const {
   if (std::all_of(chosen.fixed.begin(), chosen.fixed.end(),
                   [](const auto& value) { return value.has_value(); })) {
     return tr("All five parameters are held; leave at least one to be estimated.");
+  }
+  const bool isDark =
+      !lights_.empty() && std::none_of(lights_.begin(), lights_.end(),
+                                       [](const QCheckBox* light) { return light->isChecked(); });
+  if (isDark) return tr("No light is used; choose at least one.");
+  if (chosen.specular == SpecularPart::included && chosen.shading) {
+    return tr("The surface's reflection cannot be told apart from shading; switch one off.");
   }
   if (chosen.free.count() > 0 && chosen.discrepancy.value_or(false)) {
     return tr("Constants that are found explain what the discrepancy would; leave one out.");
@@ -204,6 +302,7 @@ void FitOptionsDialog::check() {
     deviation->setEnabled(noise_->currentIndex() == kOwn);
   for (const HeldRow& row : held_)
     row.value->setEnabled(row.held->isChecked());
+  share_->setEnabled(specular_->currentIndex() == kContained);
   const QString why = objection();
   note_->setText(why);
   note_->setVisible(!why.isEmpty());
@@ -212,12 +311,15 @@ void FitOptionsDialog::check() {
 
 void askForFitOptions(Document& document, QWidget& window) {
   const Scene& scene = document.scene();
-  const NoiseModel& noise = scene.source->measurements.rig.noise;
+  const Rig& rig = scene.source->measurements.rig;
+  CaptureLights lights = {scene.source->lights, {}};
+  for (const RigLight& light : rig.lights)
+    lights.used.push_back(light.name);
   auto* dialog = new FitOptionsDialog(document.fitChoice(), scene.model->profile(),
-                                      {noise.read, noise.proportional}, &window);
+                                      {rig.noise.read, rig.noise.proportional}, lights, &window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   QObject::connect(dialog, &QDialog::accepted, &document,
-                   [dialog, &document] { document.fitWith(dialog->choice()); });
+                   [dialog, &document] { document.fitWith(dialog->choice(), dialog->lights()); });
   dialog->open();
 }
 

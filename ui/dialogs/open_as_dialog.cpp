@@ -194,13 +194,31 @@ void OpenAsDialog::showLayer() {
   open_->setEnabled(chosen.hasColors && (chosen.isDecided || colors_->currentIndex() > 0));
 }
 
+void OpenAsDialog::showInterpretation(const OpenChoice& choice) {
+  setWindowTitle(tr("Interpret as"));
+  setAccessibleName(windowTitle());
+  open_->setText(tr("&Apply"));
+  const SourceOptions& source = choice.source;
+  for (std::size_t k = 0; k < image_.layers.size(); ++k) {
+    const bool isChosen = !source.layer.empty() && image_.layers[k].name == source.layer;
+    if (isChosen) layer_->setCurrentIndex(static_cast<int>(k));
+  }
+  if (!source.colorSpace.empty()) {
+    const QString name = QString::fromStdString(source.colorSpace);
+    if (colors_->findData(name) < 0) colors_->addItem(name, name);
+    colors_->setCurrentIndex(colors_->findData(name));
+  }
+  automaticExposure_->setChecked(!choice.exposure);
+  exposure_->setValue(choice.exposure.value_or(1.0));
+  mask_->setPath(source.mask);
+}
+
 OpenChoice OpenAsDialog::choice() const {
   OpenChoice choice;
   choice.source.layer = layer().name;
   choice.source.colorSpace = colors_->currentData().toString().toStdString();
   choice.source.mask = mask_->path();
-  choice.chooseExposure = automaticExposure_->isChecked();
-  if (!choice.chooseExposure) choice.source.exposure = exposure_->value();
+  if (!automaticExposure_->isChecked()) choice.exposure = exposure_->value();
   return choice;
 }
 

@@ -29,6 +29,9 @@ class OpenAsDialog : public QDialog {
   OpenAsDialog(const std::filesystem::path& path, const ImageInspection& image,
                const QString& reason, QWidget* parent = nullptr);
 
+  // From now on it is about what is open and was read like this.
+  void showInterpretation(const OpenChoice& choice);
+
   const std::filesystem::path& path() const { return path_; }
   OpenChoice choice() const;
 

@@ -1,5 +1,7 @@
 #include "ui/dialogs/open_controller.h"
 
+#include <algorithm>
+
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
@@ -7,6 +9,7 @@
 #include "src/app/document/document.h"
 #include "src/app/job_runner.h"
 #include "src/app/open/image_inspection.h"
+#include "src/app/open/image_search.h"
 #include "src/app/project/manifest.h"
 #include "ui/dialogs/capture_controller.h"
 #include "ui/dialogs/format_filters.h"
@@ -20,6 +23,16 @@ namespace {
 constexpr int kMostRecentFiles = 8;
 constexpr char kRecentFiles[] = "recentFiles";
 constexpr char kOpenFolder[] = "open";
+
+// Masks of others among them, which are offered when those are opened.
+void leaveOutMasks(std::vector<std::filesystem::path>& files) {
+  const std::vector<std::filesystem::path> all = files;
+  std::erase_if(files, [&](const std::filesystem::path& file) {
+    return isNamedMask(file) && std::any_of(all.begin(), all.end(), [&](const auto& other) {
+             return !isNamedMask(other) && maskBeside(other) == file;
+           });
+  });
+}
 
 }  // namespace
 
@@ -50,6 +63,7 @@ void OpenController::openAll(const QStringList& paths) {
   CaptureController::Files files;
   for (const QString& path : paths)
     files.emplace_back(QFileInfo(path).absoluteFilePath().toStdString());
+  leaveOutMasks(files);
   const CaptureController::Files photographs = CaptureController::photographsOf(files);
   if (photographs.size() > 1) {
     // A folder is opened as a whole.

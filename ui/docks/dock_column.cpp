@@ -24,6 +24,18 @@ void grow(const std::vector<ColumnPlace>& places, std::vector<int>& heights, int
   heights[last] += rest - given;
 }
 
+// A list that is short can be scrolled; sliders that are out of sight are missed.
+void giveWay(const std::vector<ColumnPlace>& places, std::vector<int>& heights) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    for (std::size_t g = places.size(); g-- > 0 && !places[k].growing;) {
+      const int spare = places[g].growing ? std::max(0, heights[g] - places[g].least) : 0;
+      const int given = std::min(spare, places[k].wanted - heights[k]);
+      heights[k] += given;
+      heights[g] -= given;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<int> settledHeights(const std::vector<ColumnPlace>& places) {
@@ -39,7 +51,11 @@ std::vector<int> settledHeights(const std::vector<ColumnPlace>& places) {
     heights[k] += more;
     rest -= more;
   }
-  if (rest > 0) grow(places, heights, rest);
+  if (rest > 0) {
+    grow(places, heights, rest);
+  } else {
+    giveWay(places, heights);
+  }
   return heights;
 }
 

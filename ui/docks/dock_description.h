@@ -17,6 +17,7 @@ struct DockDescription {
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;  // docks of one area stand in a column
   QKeySequence shortcut = {};
   bool shownAtFirst = true;
+  QString behind = {};  // the id of a dock above in the table whose place it shares, with a tab
   // Width of a dock at the side, height of one at the foot, in device-independent pixels; the
   // first dock of an area decides.
   int extent = 300;

@@ -14,6 +14,8 @@ void FitController::attach(FitPanel& panel) {
   connect(&panel, &FitPanel::fitWanted, this, &FitController::fitAgain);
   connect(&document_, &Document::fitChoiceChanged, &panel, [this, &panel] { showChoice(panel); });
   connect(&document_, &Document::fitted, &panel, &FitPanel::keepProfile);
+  for (const auto signal : {&Document::fitted, &Document::sceneReplaced})
+    connect(&document_, signal, &panel, [this, &panel] { showExposure(panel); });
   connect(&document_, &Document::networkMissing, &panel, &FitPanel::offerTraining);
 }
 
@@ -51,7 +53,13 @@ void FitController::showChoice(FitPanel& panel) const {
   panel.show(document_.fitChoice(), !document_.canFit() ? Subject::maps
                                     : isTexture         ? Subject::texture
                                                         : Subject::photographs);
+  showExposure(panel);
   panel.setFitOffered(objection().isEmpty());
+}
+
+void FitController::showExposure(FitPanel& panel) const {
+  if (!document_.canFit()) return;
+  panel.showExposure(document_.scene().source->measurements.exposure, document_.shareInRange());
 }
 
 }  // namespace cutis

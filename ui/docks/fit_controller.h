@@ -35,6 +35,7 @@ class FitController : public QObject {
 
  private:
   void showChoice(FitPanel& panel) const;
+  void showExposure(FitPanel& panel) const;
 
   Document& document_;
 };

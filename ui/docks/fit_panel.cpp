@@ -11,6 +11,7 @@
 
 #include "ui/docks/fit_catalogue.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/exposure_control.h"
 
 namespace cutis {
 
@@ -18,7 +19,9 @@ FitPanel::FitPanel(QWidget* parent)
     : QWidget(parent),
       profile_(new QComboBox(this)),
       load_(new QPushButton(tr("Load…"), this)),
+      form_(new QFormLayout),
       method_(new QComboBox(this)),
+      exposure_(new ExposureControl(this)),
       shading_(new QCheckBox(tr("Estimate shading"), this)),
       fit_(new QPushButton(tr("Fit"), this)),
       options_(new QPushButton(tr("Options…"), this)),
@@ -34,17 +37,28 @@ FitPanel::FitPanel(QWidget* parent)
   }
   addForm();
   addOffer();
+  connectControls();
+  fit_->setToolTip(tr("The fit was cancelled; do it now"));
+  setFitOffered(false);
+  show({}, Subject::photographs);
+}
 
+void FitPanel::connectControls() {
   const auto notify = [this] { Q_EMIT changed(choice()); };
   connect(profile_, &QComboBox::activated, this, notify);
   connect(method_, &QComboBox::activated, this, notify);
   connect(shading_, &QCheckBox::clicked, this, notify);
   connect(load_, &QPushButton::clicked, this, &FitPanel::loadWanted);
   connect(fit_, &QPushButton::clicked, this, &FitPanel::fitWanted);
-  fit_->setToolTip(tr("The fit was cancelled; do it now"));
-  setFitOffered(false);
   connect(options_, &QPushButton::clicked, this, &FitPanel::optionsWanted);
-  show({}, Subject::photographs);
+  connect(exposure_, &ExposureControl::chosen, this, [this](double exposure) {
+    shown_.exposure = exposure;
+    Q_EMIT changed(choice());
+  });
+  connect(exposure_, &ExposureControl::automaticWanted, this, [this] {
+    shown_.exposure.reset();
+    Q_EMIT changed(choice());
+  });
 }
 
 void FitPanel::addForm() {
@@ -55,15 +69,15 @@ void FitPanel::addForm() {
   profileRow->setSpacing(theme::kSpace);
   profileRow->addWidget(profile_, 1);
   profileRow->addWidget(load_);
-  auto* form = new QFormLayout;
-  form->addRow(tr("Profile"), profileRow);
-  form->addRow(tr("Method"), method_);
-  theme::alignForm(*form);
+  form_->addRow(tr("Profile"), profileRow);
+  form_->addRow(tr("Method"), method_);
+  form_->addRow(tr("Exposure"), exposure_);
+  theme::alignForm(*form_);
 
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kSpace);
-  column->addLayout(form);
+  column->addLayout(form_);
   auto* foot = new QHBoxLayout;
   foot->setSpacing(theme::kSpace);
   foot->addWidget(shading_);
@@ -108,6 +122,7 @@ void FitPanel::show(const FitChoice& choice, Subject subject) {
   showMethod(choice);
   showOptions(choice);
   showShading(choice, subject);
+  form_->setRowVisible(exposure_, subject == Subject::texture);
   const QList<QWidget*> controls = {profile_, load_, method_, options_};
   const bool fits = subject != Subject::maps;
   for (QWidget* control : controls)
@@ -166,13 +181,20 @@ void FitPanel::showShading(const FitChoice& choice, Subject subject) {
   }
 }
 
+void FitPanel::showExposure(double exposure, const std::optional<double>& shareInRange) {
+  exposure_->show(exposure, !shown_.exposure.has_value(), shareInRange);
+}
+
 void FitPanel::setFitOffered(bool offered) {
   fit_->setVisible(offered);
 }
 
 void FitPanel::showOptions(const FitChoice& choice) {
-  options_->setText(choice.hasRefinements() ? tr("Options (set)…") : tr("Options…"));
-  options_->setToolTip(tr("Noise, prior, parameters that are held, constants found per pixel"));
+  const bool isSet = choice.hasRefinements() || choice.specular;
+  options_->setText(isSet ? tr("Options (set)…") : tr("Options…"));
+  options_->setToolTip(
+      tr("Lights, surface reflection, noise, prior, parameters that are held, constants found per "
+         "pixel"));
 }
 
 void FitPanel::offerTraining() {

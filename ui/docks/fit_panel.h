@@ -1,7 +1,7 @@
 #pragma once
 
-// How the skin is fitted: profile of the skin model, method, shading. What cannot be is disabled
-// and its tool tip says why.
+// How the skin is fitted: profile of the skin model, method, exposure, shading. What cannot be is
+// disabled and its tool tip says why.
 
 #include <QMetaType>
 #include <QWidget>
@@ -10,9 +10,12 @@
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QPushButton;
 
 namespace cutis {
+
+class ExposureControl;
 
 class FitPanel : public QWidget {
   Q_OBJECT
@@ -30,6 +33,9 @@ class FitPanel : public QWidget {
   // Silent. A profile that is not offered yet, a file, is offered as long as it is shown, and after
   // keepProfile() from then on. Takes an offer of training back.
   void show(const FitChoice& choice, Subject subject);
+  // Of a texture: what is in force, and of an exposure that was found which share of the pixels it
+  // brings into the range of skin. Silent.
+  void showExposure(double exposure, const std::optional<double>& shareInRange);
   // The profile that is shown has turned out to be good.
   void keepProfile() { tried_.clear(); }
   FitChoice choice() const;
@@ -51,6 +57,7 @@ class FitPanel : public QWidget {
  private:
   void addForm();
   void addOffer();
+  void connectControls();
   void offerProfile(const QString& profile);
   void showProfile(const QString& profile, Subject subject);
   void showMethod(const FitChoice& choice);
@@ -59,7 +66,9 @@ class FitPanel : public QWidget {
 
   QComboBox* profile_;
   QPushButton* load_;
+  QFormLayout* form_;
   QComboBox* method_;
+  ExposureControl* exposure_;
   QCheckBox* shading_;
   QPushButton* fit_;
   QPushButton* options_;

@@ -100,8 +100,7 @@ void Workspace::addDock(const DockDescription& description) {
   dock->setObjectName(description.id);
   dock->setWidget(description.makePanel());
   byId_[description.id] = dock;
-  addDockWidget(description.area, dock);
-  dock->setVisible(description.shownAtFirst);
+  stand(description);
   // Later: while these are sent the dock is on its way.
   connect(dock, &QDockWidget::visibilityChanged, this, &Workspace::docksChanged,
           Qt::QueuedConnection);
@@ -151,7 +150,13 @@ void Workspace::placeAsDescribed(const DockDescription& description) {
   QDockWidget* dock = byId_.at(description.id);
   dock->setFloating(false);
   removeDockWidget(dock);
+  stand(description);
+}
+
+void Workspace::stand(const DockDescription& description) {
+  QDockWidget* dock = byId_.at(description.id);
   addDockWidget(description.area, dock);
+  if (!description.behind.isEmpty()) tabifyDockWidget(byId_.at(description.behind), dock);
   dock->setVisible(description.shownAtFirst);
 }
 
@@ -229,7 +234,8 @@ void Workspace::settleColumn(Qt::DockWidgetArea area) {
     const int tabs = end - dock->geometry().bottom() - 1;
     // Docks beside each other were put so by the user.
     if (tabs < 0) return;
-    places.push_back({end - dock->y(), dock->sizeHint().height() + tabs, grows(*dock)});
+    places.push_back({end - dock->y(), dock->sizeHint().height() + tabs, grows(*dock),
+                      dock->minimumSizeHint().height() + tabs});
   }
   const std::vector<int> heights = settledHeights(places);
   resizeDocks(QList<QDockWidget*>(column.begin(), column.end()),

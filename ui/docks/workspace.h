@@ -68,6 +68,7 @@ class Workspace : public QMainWindow {
   void arrange(Qt::DockWidgetArea area);
   int heightWanted(const std::vector<QDockWidget*>& column) const;
   void placeAsDescribed(const DockDescription& description);
+  void stand(const DockDescription& description);
   void takeBackFromNowhere();
   bool applyLayout(const QByteArray& layout);
   void tellWhatIsSeen();

@@ -132,6 +132,7 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& pr
        .title = tr("&Info"),
        .shortcut = QKeySequence(tr("Ctrl+I")),
        .shownAtFirst = false,
+       .behind = "history",
        .makePanel = [&page] { return makeInfo(page); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),

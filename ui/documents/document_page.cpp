@@ -8,6 +8,7 @@
 #include "src/app/document/autosave.h"
 #include "ui/commands/context_menu.h"
 #include "ui/dialogs/export_controller.h"
+#include "ui/dialogs/reopen_controller.h"
 #include "ui/dialogs/save_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
@@ -41,7 +42,8 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
       training_(std::make_unique<TrainingController>(*document_, engine, jobs_, this)),
       exports_(std::make_unique<ExportController>(*document_, engine, jobs_, progress, this)),
       saves_(std::make_unique<SaveController>(
-          *document_, progress, [this] { return projectViewOf(*this); }, this)) {
+          *document_, progress, [this] { return projectViewOf(*this); }, this)),
+      reopening_(std::make_unique<ReopenController>(*document_, jobs_, progress, *notice_, this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -50,6 +52,10 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
   workspace_->add(dockCatalogue(*this, progress, commands));
   connect(document_.get(), &Document::opened, this,
           [this] { showProjectView(*this, document_->view()); });
+  // What is read again is shown as it is looked at now.
+  connect(document_.get(), &Document::openingStarted, this, [this] {
+    if (document_->isOpen()) document_->setView(projectViewOf(*this));
+  });
   connectSource();
   giveContextMenu(
       *viewport_, commands,
@@ -127,13 +133,8 @@ void DocumentPage::connectSource() {
                  "keeps the edits.")
                   .arg(name)
                   .arg(files.size() - 1),
-        tr("Reload"), tr("Keep"));
+        tr("Reload"), tr("Keep"), [this] { document_->reload(); });
   });
-  connect(notice_, &NoticeBar::accepted, this, [this] {
-    document_->setView(projectViewOf(*this));
-    document_->reload();
-  });
-  connect(document_.get(), &Document::opened, notice_, &QWidget::hide);
 }
 
 bool DocumentPage::isIdle() const {

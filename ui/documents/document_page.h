@@ -26,6 +26,7 @@ class LightController;
 class NoticeBar;
 class PresetController;
 class ProgressStrip;
+class ReopenController;
 class SaveController;
 class TrainingController;
 class ViewController;
@@ -83,6 +84,7 @@ class DocumentPage : public QWidget {
   TrainingController& training() { return *training_; }
   ExportController& exports() { return *exports_; }
   SaveController& saves() { return *saves_; }
+  ReopenController& reopening() { return *reopening_; }
   NoticeBar& notice() { return *notice_; }
 
  private:
@@ -105,6 +107,7 @@ class DocumentPage : public QWidget {
   std::unique_ptr<TrainingController> training_;
   std::unique_ptr<ExportController> exports_;
   std::unique_ptr<SaveController> saves_;
+  std::unique_ptr<ReopenController> reopening_;
   std::shared_ptr<Journal> journal_;
   std::unique_ptr<Autosave> autosave_;
 };

@@ -1,5 +1,7 @@
 #include "ui/widgets/notice_bar.h"
 
+#include <utility>
+
 #include <QHBoxLayout>
 #include <QPushButton>
 
@@ -23,13 +25,15 @@ NoticeBar::NoticeBar(QWidget* parent)
   row->addWidget(dismiss_);
   connect(accept_, &QPushButton::clicked, this, [this] {
     hide();
-    Q_EMIT accepted();
+    then_();
   });
   connect(dismiss_, &QPushButton::clicked, this, &QWidget::hide);
   hide();
 }
 
-void NoticeBar::ask(const QString& text, const QString& accept, const QString& dismiss) {
+void NoticeBar::ask(const QString& text, const QString& accept, const QString& dismiss,
+                    std::function<void()> then) {
+  then_ = std::move(then);
   text_->setText(text);
   accept_->setText(accept);
   dismiss_->setText(dismiss);

@@ -10,6 +10,7 @@
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/fit_options_dialog.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/dialogs/reopen_controller.h"
 #include "ui/dialogs/save_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
@@ -42,7 +43,7 @@ QString unlessFittable(const Document& document) {
              : tr("Maps stay as they were fitted; open their photographs to fit them again");
 }
 
-Rows fileCommands(const Editor& editor) {
+Rows openCommands(const Editor& editor) {
   OpenController& open = editor.open;
   return {
       {.id = "file.openSample",
@@ -74,6 +75,41 @@ Rows fileCommands(const Editor& editor) {
        .toolTip = tr("Choose the colour space, layer, exposure and mask"),
        .shortcuts = {QKeySequence(tr("Ctrl+Alt+O"))},
        .run = [&open] { open.chooseImageAs(); }},
+  };
+}
+
+// What is open, read in another way.
+Rows sourceCommands(const Editor& editor) {
+  return {
+      {.id = "file.interpretAs",
+       .menu = Menu::file,
+       .text = tr("I&nterpret as…"),
+       .toolTip =
+           tr("Another colour space, layer, exposure or mask for what is open; its edits are "
+              "kept"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Alt+A"))},
+       .beginsSection = true,
+       .run = [editor] { editor.page().reopening().interpret(); },
+       .objection = [editor] { return editor.page().reopening().interpretObjection(); }},
+      {.id = "file.chooseMask",
+       .menu = Menu::file,
+       .text = tr("Choose mas&k…"),
+       .toolTip = tr("A picture of the same size: what is black in it is left out"),
+       .shortcuts = {QKeySequence(tr("Ctrl+M"))},
+       .run = [editor] { editor.page().reopening().chooseMask(); },
+       .objection = [editor] { return editor.page().reopening().maskObjection(); }},
+      {.id = "file.removeMask",
+       .menu = Menu::file,
+       .text = tr("&Remove mask"),
+       .toolTip = tr("The whole picture counts again; a capture's own mask comes back"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+M"))},
+       .run = [editor] { editor.page().reopening().useMask({}); },
+       .objection = [editor] { return editor.page().reopening().removeObjection(); }},
+  };
+}
+
+Rows fileCommands(const Editor& editor) {
+  return {
       {.id = "file.save",
        .menu = Menu::file,
        .text = tr("&Save project"),
@@ -305,7 +341,9 @@ Rows fitCommands(const Editor& editor) {
       {.id = "fit.options",
        .menu = Menu::fit,
        .text = tr("Fit &options…"),
-       .toolTip = tr("Noise, prior, parameters that are held, constants found per pixel"),
+       .toolTip =
+           tr("Lights, surface reflection, noise, prior, parameters that are held, constants "
+              "found per pixel"),
        .shortcuts = {QKeySequence(tr("Ctrl+Shift+F"))},
        .run = [editor] { askForFitOptions(editor.document(), editor.window); },
        .objection = objection},
@@ -345,8 +383,9 @@ Rows helpCommands(const Editor& editor) {
 
 std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
-  for (const auto& part : {fileCommands, editCommands, presetCommands, zoomCommands, viewCommands,
-                           dockCommands, tabCommands, fitCommands, helpCommands}) {
+  for (const auto& part :
+       {openCommands, sourceCommands, fileCommands, editCommands, presetCommands, zoomCommands,
+        viewCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

@@ -20,6 +20,7 @@
 #include "ui/commands/shortcut_settings.h"
 #include "ui/commands/shortcut_sheet.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/dialogs/reopen_controller.h"
 #include "ui/dialogs/save_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/documents/document_page.h"
@@ -112,7 +113,7 @@ void MainWindow::addRecentMenu() {
   // Behind what else opens files.
   QMenu* file = menuBar()->actions().front()->menu();
   const QList<QAction*> rows = file->actions();
-  file->insertMenu(rows[rows.indexOf(commands_->action("file.save")) - 1], recent);
+  file->insertMenu(rows[rows.indexOf(commands_->action("file.interpretAs")) - 1], recent);
 }
 
 void MainWindow::layOut() {
@@ -161,6 +162,7 @@ void MainWindow::connectPage(DocumentPage& page) {
   connectSaving(page);
   const Document* document = &page.document();
   connect(document, &Document::openingFailed, opener_, &OpenController::openAs);
+  connect(&page.reopening(), &ReopenController::pictureWanted, opener_, &OpenController::open);
   connect(document, &Document::opened, this, [this, document] { opener_->remember(*document); });
   connect(document, &Document::fitted, this, &MainWindow::refreshCommands);
   connect(document, &Document::editsChanged, this, &MainWindow::refreshCommands);
@@ -285,6 +287,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) {
     if (url.isLocalFile()) files << url.toLocalFile();
   }
+  const bool isOne = files.size() == 1;
+  if (isOne && tabs_->current().reopening().askWhetherMask(files.front().toStdString())) return;
   opener_->openAll(files);
 }
 

@@ -52,14 +52,15 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
       tr("Photographs of one subject under several lights, with their capture.json"));
   auto* image = new QPushButton(tr("Open image, maps or project…"), column);
   image->setToolTip(
-      tr("An albedo texture, such as an EXR, TIFF or PNG, or maps that were fitted before"));
+      tr("An albedo texture, such as an EXR, TIFF or PNG, maps that were fitted before, or a "
+         "project that was saved"));
   for (QPushButton* button : {capture, image})
     button->setMinimumHeight(kButtonHeight);
 
   dropArea_ = new QWidget(column);
   dropArea_->setFixedHeight(kDropHeight);
-  auto* dropHint =
-      dimLabel(tr("or drop a capture folder, an albedo texture or maps here"), dropArea_);
+  auto* dropHint = dimLabel(
+      tr("or drop a capture folder, an albedo texture, maps or a project here"), dropArea_);
   dropHint->setAlignment(Qt::AlignCenter);
   auto* dropLayout = new QHBoxLayout(dropArea_);
   dropLayout->addWidget(dropHint);

@@ -72,14 +72,13 @@ void Document::openSample() {
 void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
   const QString name = QString::fromStdString(path.filename().string());
   if (isProjectFile(path)) return openProject(std::filesystem::absolute(path).lexically_normal());
-  const ProjectSource source = {SourceKind::image,
-                                std::filesystem::absolute(path).lexically_normal(),
-                                choice.source,
-                                choice.chooseExposure,
-                                {}};
+  const ProjectSource source = {
+      SourceKind::image, std::filesystem::absolute(path).lexically_normal(), choice.source, {}};
+  FitChoice fit = usualFit_;
+  fit.exposure = choice.exposure;
   startOpening(
       name, path,
-      [this, source, fit = usualFit_](const JobContext& context) -> Result<Opened> {
+      [this, source, fit](const JobContext& context) -> Result<Opened> {
         ProjectSource found = source;
         if (looksLikeCapture(source.path)) {
           found.kind = SourceKind::capture;
@@ -87,7 +86,9 @@ void Document::open(const std::filesystem::path& path, const OpenChoice& choice)
           found.kind = SourceKind::maps;
           return openedMaps(found, context);
         }
-        return openedSource(found, fit, context);
+        CUTIS_TRY(opened, openedSource(found, fit, context));
+        opened.maskBeside = unusedMaskBeside(opened.project.source);
+        return opened;
       },
       choice.source);
 }
@@ -115,7 +116,8 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
         auto opened = open(contextOf(job));
         if (opened.failed()) {
           job.post([this, path, sentence = sentenceOf(opened.error())] {
-            Q_EMIT openingFailed(QString::fromStdString(path.string()), sentence);
+            if (!path.empty())
+              Q_EMIT openingFailed(QString::fromStdString(path.string()), sentence);
             Q_EMIT failed(sentence);
           });
         } else if (opened) {
@@ -126,8 +128,8 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
 
 Result<Document::Opened> Document::openedSource(ProjectSource source, const FitChoice& choice,
                                                 const JobContext& context) {
-  CUTIS_TRY(read, openSourceOf(source, choice.profile, engine_, store_,
-                               context.child(0.0, 1.0, "reading")));
+  CUTIS_TRY(read,
+            openSourceOf(source, choice, engine_, store_, context.child(0.0, 1.0, "reading")));
   Opened opened;
   opened.name = QString::fromStdString(read.source->name);
   opened.project.source = std::move(source);
@@ -179,21 +181,29 @@ void Document::take(const Opened& opened) {
   scene_->edits = history_.current().edits;
   if (opened.isFitted) {
     fitted_ = true;
-    lastFit_ = {choice_, *scene_, {}};
+    lastFit_ = {choice_, *scene_, {}, {}};
   }
   Q_EMIT this->opened();
   Q_EMIT modifiedChanged();
   Q_EMIT fitChoiceChanged();
+  sayWhatIsMasked();
   if (!opened.isFitted) return startFit();
   Q_EMIT fitted();
 }
 
-void Document::fitWith(const FitChoice& choice) {
+void Document::fitWith(const FitChoice& choice, const std::vector<std::string>& lights) {
   const Status allowed = checkFitChoice(choice, *scene_->source);
   if (allowed.failed()) {
     Q_EMIT fitChoiceChanged();
     Q_EMIT failed(sentenceOf(allowed.error()));
     return;
+  }
+  // A choice takes the place of one that the source is still being read for.
+  jobs_.cancel(std::exchange(opening_, 0));
+  if (lights != state_.source.options.lights || needsReading(choice_, choice)) {
+    ProjectSource source = state_.source;
+    source.options.lights = lights;
+    return readAgain(source, choice);
   }
   if (choice == choice_ && (fitted_ || jobs_.isRunning(fitting_))) return;
   if (lastFit_ && choice == lastFit_->choice) return backToLastFit();
@@ -204,7 +214,8 @@ void Document::fitWith(const FitChoice& choice) {
 void Document::useNetwork(std::shared_ptr<const ChromophoreNetwork> network,
                           const std::string& profile) {
   engine_.addNetwork(std::move(network));
-  choice_ = {profile, FitMethod::network, false};
+  const std::optional<double> exposure = choice_.exposure;
+  choice_ = {profile, FitMethod::network, false, exposure};
   startFit();
 }
 
@@ -212,10 +223,10 @@ void Document::startFit() {
   cancelFit();
   fitted_ = false;
   state_.maps.clear();
-  fitting_ = jobs_.start(
-      tr("Fit %1").arg(name_),
-      [this, choice = choice_, chooseExposure = state_.source.chooseExposure,
-       scene = *scene_](const JobRunner::Handle& job) { fit(choice, chooseExposure, scene, job); });
+  fitting_ = jobs_.start(tr("Fit %1").arg(name_),
+                         [this, choice = choice_, scene = *scene_](const JobRunner::Handle& job) {
+                           fit(choice, scene, job);
+                         });
   Q_EMIT fitChoiceChanged();
   Q_EMIT modifiedChanged();
 }
@@ -225,8 +236,7 @@ void Document::cancelFit() {
   mapsTimer_.stop();
 }
 
-void Document::fit(const FitChoice& choice, bool chooseExposure, Scene scene,
-                   const JobRunner::Handle& job) {
+void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle& job) {
   const JobContext context = contextOf(job).child(0.0, 1.0, "preparing");
   const auto fitted = [&]() -> Result<FittedSource> {
     CUTIS_TRY(model, engine_.model(choice.profile, {}));
@@ -243,7 +253,8 @@ void Document::fit(const FitChoice& choice, bool chooseExposure, Scene scene,
       }
     }
     CUTIS_TRY(options, fitOptions(choice, model->profile()));
-    return fitSource(model, scene.source, {options, chooseExposure}, engine_, store_, context,
+    scene.source = atChosenExposure(scene.source, choice);
+    return fitSource(model, scene.source, {options, !choice.exposure}, engine_, store_, context,
                      observerOf(scene, job));
   }();
   if (fitted.failed()) {
@@ -252,9 +263,9 @@ void Document::fit(const FitChoice& choice, bool chooseExposure, Scene scene,
       Q_EMIT failed(sentence);
     });
   } else if (fitted) {
-    job.post([this, statistics = fitted.value().statistics, remarks = fitted.value().remarks] {
-      completeFit(statistics, remarks);
-    });
+    const FittedSource& found = fitted.value();
+    job.post([this, statistics = found.statistics, exposure = found.exposure,
+              remarks = found.remarks] { completeFit(statistics, exposure, remarks); });
   }
 }
 
@@ -284,10 +295,12 @@ void Document::show(const Scene& fitted) {
   Q_EMIT sceneReplaced();
 }
 
-void Document::completeFit(const FitStatistics& statistics, const std::vector<FitRemark>& remarks) {
+void Document::completeFit(const FitStatistics& statistics,
+                           const std::optional<ExposureChoice>& exposure,
+                           const std::vector<FitRemark>& remarks) {
   statistics_ = statistics;
   fitted_ = true;
-  lastFit_ = {choice_, *scene_, statistics};
+  lastFit_ = {choice_, *scene_, statistics, exposure};
   mapsTimer_.stop();
   giveMemoryBack();
   Q_EMIT mapsChanged();
@@ -300,6 +313,11 @@ void Document::completeFit(const FitStatistics& statistics, const std::vector<Fi
       Q_EMIT noticed(sentence);
     }
   }
+}
+
+std::optional<double> Document::shareInRange() const {
+  if (!fitted_ || !lastFit_ || !lastFit_->exposure) return std::nullopt;
+  return lastFit_->exposure->inside;
 }
 
 void Document::backToLastFit() {

@@ -48,7 +48,7 @@ struct Command {
 // How an image is read, where a person has chosen.
 struct OpenChoice {
   SourceOptions source;
-  bool chooseExposure = true;  // anew for each fit, instead of the source's own
+  std::optional<double> exposure = {};  // found anew by each fit unless given
 };
 
 class Document : public QObject {
@@ -109,18 +109,32 @@ class Document : public QObject {
   // change is reported once, by sourceChanged().
   void checkSource();
   // Reads the source again and fits it again; edits are kept. Precondition: it came from files.
-  void reload();
+  void reload() { readAgain(state_.source, choice_); }
+  // How an image or a capture was read: the only ones that can be read in another way.
+  bool canReopen() const;
+  SourceKind sourceKind() const { return state_.source.kind; }
+  OpenChoice openChoice() const { return {state_.source.options, choice_.exposure}; }
+  // As reload(), but read as chosen now. A failure leaves it as it was. Precondition: canReopen().
+  void reopen(const OpenChoice& choice);
+  // A picture that by its name is the mask of this one, which was opened without; empty: none.
+  const std::filesystem::path& maskBeside() const { return state_.maskBeside; }
   // Whether there is something to fit: opened maps stay what they are.
   bool canFit() const { return isOpen() && scene_->source != nullptr; }
   // How the maps were fitted, or are being fitted.
   const FitChoice& fitChoice() const { return choice_; }
+  // Which share of a single image the exposure that was found brings into the range of skin; none
+  // where it was chosen, or is not known any more.
+  std::optional<double> shareInRange() const;
 
   // What somebody looks at: a fit that is under way does its tiles first.
   void lookAt(const Rect& view);
 
   // Fits again, edits are kept; a choice that cannot be is reported. Where the fit fails or is
   // cancelled the last complete one comes back. Precondition: canFit().
-  void fitWith(const FitChoice& choice);
+  // lights: those of a capture to use; empty: all. Where these or the reflection of the surface are
+  // others than before, the source is read again first.
+  void fitWith(const FitChoice& choice) { fitWith(choice, state_.source.options.lights); }
+  void fitWith(const FitChoice& choice, const std::vector<std::string>& lights);
   // Once more with the same choice, after a fit was cancelled. Precondition: canFit().
   void fitAgain() { startFit(); }
   // Adds a network of the profile and the source's lights to the engine and fits with it.
@@ -160,7 +174,7 @@ class Document : public QObject {
   // Nothing came of it: it could not be read, or was cancelled.
   void previewEnded();
   // What is said from now on is about what is being opened. It ends with opened() or with
-  // openingFailed(), or with neither where it is cancelled.
+  // openingFailed(), or with neither where it is cancelled, or read again and cannot be.
   void openingStarted();
   // Something else is open now; its maps may still be empty.
   void opened();
@@ -175,7 +189,7 @@ class Document : public QObject {
   // There is no network for the lights and the profile; another method is used instead.
   void networkMissing();
   void editsChanged(bool moving);
-  // What was to be opened could not be; before failed().
+  // A file that was to be opened could not be, not one that is read again; before failed().
   void openingFailed(const QString& path, const QString& sentence);
   // A project, or what a journal kept, cannot be opened while a file is not there.
   void sourceMissing(const cutis::MissingSource& missing);
@@ -204,6 +218,7 @@ class Document : public QObject {
     bool isReload = false;   // edits, view and path are those of what is open
     bool isUnsaved = false;  // what a journal kept
     bool isMoved = false;    // the source lies somewhere else than the project says
+    std::filesystem::path maskBeside = {};
     // Instead of all this: what kept it from being opened.
     std::filesystem::path missing;
     std::filesystem::path other;
@@ -216,6 +231,8 @@ class Document : public QObject {
   void showPreview(const QString& name, const SourcePreview& preview);
   void endPreview();
   void openProject(const std::filesystem::path& path);
+  void readAgain(const ProjectSource& source, const FitChoice& choice);
+  void sayWhatIsMasked();
   // On the thread of the job.
   Result<Opened> openedSource(ProjectSource source, const FitChoice& choice,
                               const JobContext& context);
@@ -231,10 +248,11 @@ class Document : public QObject {
   void startFit();
   void cancelFit();
   // On the thread of the job.
-  void fit(const FitChoice& choice, bool chooseExposure, Scene scene, const JobRunner::Handle& job);
+  void fit(const FitChoice& choice, Scene scene, const JobRunner::Handle& job);
   SourceFitObserver observerOf(const Scene& scene, const JobRunner::Handle& job);
   void show(const Scene& fitted);
-  void completeFit(const FitStatistics& statistics, const std::vector<FitRemark>& remarks);
+  void completeFit(const FitStatistics& statistics, const std::optional<ExposureChoice>& exposure,
+                   const std::vector<FitRemark>& remarks);
   void backToLastFit();
   void fitWithoutNetwork();
   void setEdits(bool moving);
@@ -259,6 +277,7 @@ class Document : public QObject {
     ProjectView view;
     std::filesystem::path path;
     std::filesystem::path maps;  // the file that holds the maps of now; empty: none
+    std::filesystem::path maskBeside;
     // As last saved or opened; a fit is only compared where there is a project.
     std::string edits;
     FitChoice fit;
@@ -279,6 +298,7 @@ class Document : public QObject {
     FitChoice choice;
     Scene scene;
     FitStatistics statistics;
+    std::optional<ExposureChoice> exposure;  // where it was found
   };
   std::optional<Fit> lastFit_;
   std::shared_ptr<SharedRect> view_ = std::make_shared<SharedRect>();  // shared with the fit

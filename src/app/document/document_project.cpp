@@ -113,6 +113,7 @@ void Document::takeOrReport(const Opened& opened) {
 void Document::takeProject(const Opened& opened) {
   state_.source = opened.project.source;
   state_.maps = opened.project.maps;
+  state_.maskBeside = opened.maskBeside;
   sourceFiles_.clear();
   if (!state_.source.path.empty()) sourceFiles_.push_back(state_.source.path);
   if (opened.isReload) {
@@ -220,17 +221,35 @@ void Document::checkSource() {
       });
 }
 
-void Document::reload() {
-  startOpening(name_, state_.source.path,
-               [this, source = state_.source, choice = choice_,
-                name = name_](const JobContext& context) -> Result<Opened> {
-                 CUTIS_TRY(opened, source.kind == SourceKind::maps
-                                       ? openedMaps(source, context)
-                                       : openedSource(source, choice, context));
-                 opened.name = name;
-                 opened.isReload = true;
-                 return std::move(opened);
-               });
+bool Document::canReopen() const {
+  return isOpen() &&
+         (state_.source.kind == SourceKind::image || state_.source.kind == SourceKind::capture);
+}
+
+void Document::reopen(const OpenChoice& choice) {
+  ProjectSource source = state_.source;
+  source.options = choice.source;
+  FitChoice fit = choice_;
+  fit.exposure = choice.exposure;
+  readAgain(source, fit);
+}
+
+void Document::readAgain(const ProjectSource& source, const FitChoice& choice) {
+  startOpening(
+      name_, {}, [this, source, choice, name = name_](const JobContext& context) -> Result<Opened> {
+        CUTIS_TRY(opened, source.kind == SourceKind::maps ? openedMaps(source, context)
+                                                          : openedSource(source, choice, context));
+        opened.name = name;
+        opened.isReload = true;
+        return std::move(opened);
+      });
+}
+
+void Document::sayWhatIsMasked() {
+  const fs::path& mask = state_.source.options.mask;
+  if (mask.empty()) return;
+  Q_EMIT noticed(
+      tr("%1: what is black in the mask %2 is left out").arg(name_, textOf(mask.filename())));
 }
 
 }  // namespace cutis

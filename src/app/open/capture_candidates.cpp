@@ -4,8 +4,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "src/files/io/file_extension.h"
-#include "src/images/codec/image_formats.h"
 #include "src/images/image_file.h"
 
 namespace cutis {
@@ -151,36 +149,6 @@ Result<CandidatePhotograph> inspectPhotograph(const fs::path& file, const JobCon
   return photograph;
 }
 
-bool endsWithMask(const std::string& stem) {
-  constexpr std::string_view kMask = "mask";
-  if (stem.size() < kMask.size()) return false;
-  std::string end = stem.substr(stem.size() - kMask.size());
-  std::transform(end.begin(), end.end(), end.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const bool standsAlone =
-      stem.size() == kMask.size() ||
-      std::isalnum(static_cast<unsigned char>(stem[stem.size() - kMask.size() - 1])) == 0;
-  return end == kMask && standsAlone;
-}
-
-bool isImageName(const fs::path& file) {
-  const std::string extension = lowerExtension(file);
-  return std::any_of(imageFormats().begin(), imageFormats().end(), [&](const ImageFormat& format) {
-    return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
-           format.extensions.end();
-  });
-}
-
-std::vector<fs::path> imagesIn(const fs::path& folder) {
-  std::vector<fs::path> images;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    if (entry.is_regular_file(error) && isImageName(entry.path())) images.push_back(entry.path());
-  }
-  std::sort(images.begin(), images.end());
-  return images;
-}
-
 // "skin.1001" → "skin.####"; the same text where there is no such number.
 std::string withoutNumber(const std::string& stem) {
   constexpr std::size_t kFewestDigits = 4;
@@ -225,26 +193,6 @@ std::vector<std::uint8_t> screenBytes(const PhotographThumbnail& thumbnail,
         std::lround(255.0 * screen.fromLight(std::clamp(light, 0.0, 1.0)))));
   }
   return bytes;
-}
-
-std::vector<fs::path> photographsIn(const fs::path& folder) {
-  std::vector<fs::path> images = imagesIn(folder);
-  std::erase_if(images, [](const fs::path& file) { return endsWithMask(file.stem().string()); });
-  return images;
-}
-
-fs::path maskBeside(const fs::path& photograph) {
-  const std::string stem = photograph.stem().string();
-  fs::path ofAll;
-  for (const fs::path& file : imagesIn(photograph.parent_path())) {
-    const std::string name = file.stem().string();
-    if (file == photograph || !endsWithMask(name)) continue;
-    if (name.size() == std::string_view("mask").size()) ofAll = file;
-    if (name.size() == stem.size() + std::string_view("_mask").size() && name.starts_with(stem)) {
-      return file;
-    }
-  }
-  return ofAll;
 }
 
 bool areTilesOrFrames(const std::vector<fs::path>& files) {

@@ -48,12 +48,6 @@ Result<CaptureCandidates> inspectPhotographs(const std::vector<std::filesystem::
 std::vector<std::uint8_t> screenBytes(const PhotographThumbnail& thumbnail,
                                       const std::string& encoding);
 
-// The images that lie in a folder, in the order of their names; masks by their names are left out.
-std::vector<std::filesystem::path> photographsIn(const std::filesystem::path& folder);
-
-// "face_mask.png" or "mask.png" in the folder of a photograph "face.png"; empty if there is none.
-std::filesystem::path maskBeside(const std::filesystem::path& photograph);
-
 // Tiles of a texture ("skin.1001.png") or frames of a sequence: their names differ in a number of
 // four digits or more alone.
 bool areTilesOrFrames(const std::vector<std::filesystem::path>& files);

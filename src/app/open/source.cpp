@@ -82,6 +82,7 @@ Result<Source> openCapture(const std::filesystem::path& path, const SourceOption
             readCapture(path, {options.rig, options.lights, options.mask}, store, context));
   Source source;
   source.name = titleOf(path);
+  source.lights = std::move(capture.lights);
   source.measurements = std::move(capture.measurements);
   source.surface = options.surface;
   CUTIS_CHECK(removeSurfaceReflection(options.surface, store, {context.stop, {}, context.notice},

@@ -40,8 +40,9 @@ struct Source {
   Measurements measurements;  // with the exposure of an albedo texture
   // All channels of an albedo texture as they stand in the file; nothing for photographs.
   std::optional<Image> image;
-  ColorDecision colors;         // of the image: what its numbers mean, and who says so
-  MeasurementGeometry surface;  // that was taken off the photographs
+  ColorDecision colors;             // of the image: what its numbers mean, and who says so
+  MeasurementGeometry surface;      // that was taken off the photographs
+  std::vector<std::string> lights;  // all that a capture has, also those that are not used
   ImageMetadata metadata;
   // How the file holds what stands upright here: of a texture itself, of a capture the first
   // photograph.

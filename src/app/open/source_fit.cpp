@@ -56,8 +56,7 @@ Result<FitStatistics> fill(const FittedSource& fitted, const PixelSolver& solver
 }
 
 // What the fit found, looked at as a whole.
-Status analyse(const FitOptions& options, const PixelSolver& solver,
-               const std::optional<ExposureChoice>& exposure, const JobContext& context,
+Status analyse(const FitOptions& options, const PixelSolver& solver, const JobContext& context,
                FittedSource& fitted) {
   const Measurements& measurements = fitted.source->measurements;
   const ChromophoreMaps& maps = fitted.planes.maps;
@@ -69,8 +68,9 @@ Status analyse(const FitOptions& options, const PixelSolver& solver,
   fitted.constants = std::move(constants);
   CUTIS_TRY(outside, shareOutsideDiffusion(maps, fitted.model->profile(), silent));
   fitted.outsideDiffusion = outside;
-  fitted.remarks = remarksOn(fitted.statistics, fitted.constants, options.method,
-                             options.noise.value_or(measurements.rig.noise), outside, exposure);
+  fitted.remarks =
+      remarksOn(fitted.statistics, fitted.constants, options.method,
+                options.noise.value_or(measurements.rig.noise), outside, fitted.exposure);
   return {};
 }
 
@@ -98,11 +98,10 @@ Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
   fitted.nodes = solver->nodeCount();
   fitted.nodeRms = solver->nodes().rmsError;
   fitted.nodeWorst = solver->nodes().worstError;
-  std::optional<ExposureChoice> exposure;
   if (options.chooseExposure && source->image) {
     CUTIS_TRY(choice, chooseExposure(source->measurements, *solver,
                                      context.child(kPrepared, kExposed, "exposure")));
-    exposure = choice;
+    fitted.exposure = choice;
     fitted.source = atExposure(*source, choice.exposure);
   }
   fitted.seconds.prepare = lap.seconds();
@@ -110,7 +109,7 @@ Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
   fitted.planes.maps.addCoefficients(options.fit.surface, solver->coefficientCount(), store);
   CUTIS_TRY(statistics, fill(fitted, *solver, context, observer));
   fitted.statistics = statistics;
-  CUTIS_CHECK(analyse(options.fit, *solver, exposure, context, fitted));
+  CUTIS_CHECK(analyse(options.fit, *solver, context, fitted));
   if (auto remark = remarkOnDiscrepancy(model->profile(), source->measurements, options.fit))
     fitted.remarks.push_back(*std::move(remark));
   fitted.seconds.fit = lap.seconds();

@@ -56,6 +56,7 @@ struct FittedSource {
   GamutStatistics gamut;
   std::vector<ConstantSummary> constants;  // one for each that is free
   std::optional<double> outsideDiffusion;  // share of the pixels; none by radiative transfer
+  std::optional<ExposureChoice> exposure;  // where it was found automatically
   std::vector<FitRemark> remarks;
   int nodes = 0;
   double nodeRms = 0.0;    // error of a channel summed at the nodes …

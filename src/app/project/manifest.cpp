@@ -33,6 +33,11 @@ constexpr std::array<std::pair<const char*, SourceKind>, 4> kKinds = {
      {"capture", SourceKind::capture},
      {"maps", SourceKind::maps}}};
 
+constexpr std::array<std::pair<const char*, SpecularPart>, 3> kSpecularParts = {
+    {{"included", SpecularPart::included},
+     {"excluded", SpecularPart::excluded},
+     {"cross-polarised", SpecularPart::crossPolarised}}};
+
 const char* kindName(SourceKind kind) {
   return std::find_if(kKinds.begin(), kKinds.end(),
                       [&](const auto& row) { return row.second == kind; })
@@ -76,7 +81,8 @@ class PathNames {
   fs::path folder_;
 };
 
-Json sourceJson(const ProjectSource& source, const PathNames& names) {
+Json sourceJson(const ProjectSource& source, const std::optional<double>& exposure,
+                const PathNames& names) {
   Json json;
   json["kind"] = kindName(source.kind);
   if (source.kind == SourceKind::sample) return json;
@@ -91,7 +97,7 @@ Json sourceJson(const ProjectSource& source, const PathNames& names) {
   json["mask"] = names.nameOf(options.mask);
   json["layer"] = options.layer;
   json["colorspace"] = options.colorSpace;
-  json["exposure"] = source.chooseExposure ? Json(kAutomatic) : Json(options.exposure);
+  json["exposure"] = exposure ? Json(*exposure) : Json(kAutomatic);
   return json;
 }
 
@@ -110,6 +116,10 @@ Json fitJson(const FitChoice& fit, const PathNames& names) {
   if (fit.free.oxygenation) json["free"].push_back(kOxygenationName);
   if (fit.free.thickness) json["free"].push_back(kThicknessName);
   if (fit.discrepancy) json["discrepancy"] = *fit.discrepancy;
+  for (const auto& [name, part] : kSpecularParts) {
+    if (fit.specular == part) json["specular"] = name;
+  }
+  if (fit.specular == SpecularPart::included) json["specular_share"] = fit.specularShare;
   return json;
 }
 
@@ -137,14 +147,14 @@ Status parseFiles(const JsonValue& object, const PathNames& names, const Notice&
   return {};
 }
 
-Status parseExposure(const JsonValue& object, ProjectSource& source) {
+Status parseExposure(const JsonValue& object, FitChoice& fit) {
+  if (!object.has("exposure")) return {};
   const auto text = object.text("exposure");
   if (text && text.value() == kAutomatic) return {};
   const auto number = object.number("exposure");
   if (!number || !(number.value() > 0.0))
     return object.error("exposure", "\"auto\" or a number above 0");
-  source.options.exposure = number.value();
-  source.chooseExposure = false;
+  fit.exposure = number.value();
   return {};
 }
 
@@ -163,7 +173,7 @@ Status parseOptions(const JsonValue& object, const PathNames& names, ProjectSour
     CUTIS_TRY(light, element.asText());
     options.lights.push_back(light);
   }
-  return parseExposure(object, source);
+  return {};
 }
 
 Result<ProjectSource> parseSource(const JsonValue& object, const PathNames& names,
@@ -226,19 +236,37 @@ Status parseFree(const JsonValue& object, FitChoice& fit) {
   return {};
 }
 
+Status parseSpecular(const JsonValue& object, FitChoice& fit) {
+  if (!object.has("specular")) return {};
+  CUTIS_TRY(word, object.text("specular"));
+  for (const auto& [name, part] : kSpecularParts) {
+    if (word == name) fit.specular = part;
+  }
+  if (!fit.specular)
+    return object.error("specular", "\"included\", \"excluded\" or \"cross-polarised\"");
+  if (!object.has("specular_share")) return {};
+  CUTIS_TRY(share, object.number("specular_share"));
+  if (!(share >= 0.0 && share <= kMostSpecularShare))
+    return object.error("specular_share", "a number from 0 to 0.5");
+  fit.specularShare = share;
+  return {};
+}
+
 Result<FitChoice> parseFit(const JsonValue& object, const PathNames& names, const Notice& notice) {
   CUTIS_TRY(profile, object.text("profile"));
   CUTIS_TRY(method, object.text("method"));
   CUTIS_TRY(shading, object.boolean("shading", false));
   CUTIS_TRY(named, fitMethodNamed(method, object.file() + ": fit.method"));
   CUTIS_TRY(prior, object.text("prior", std::string()));
-  object.sayUnknown(
-      {"profile", "method", "shading", "noise", "prior", "fixed", "free", "discrepancy"}, notice);
+  object.sayUnknown({"profile", "method", "shading", "noise", "prior", "fixed", "free",
+                     "discrepancy", "specular", "specular_share"},
+                    notice);
   FitChoice fit = {names.pathOf(profile, profileNames()), named, shading};
   fit.prior = names.pathOf(prior).string();
   CUTIS_CHECK(parseNoise(object, fit));
   CUTIS_CHECK(parseFixed(object, notice, fit));
   CUTIS_CHECK(parseFree(object, fit));
+  CUTIS_CHECK(parseSpecular(object, fit));
   if (object.has("discrepancy")) {
     CUTIS_TRY(discrepancy, object.boolean("discrepancy", false));
     fit.discrepancy = discrepancy;
@@ -276,7 +304,7 @@ std::string projectText(const Project& project, const fs::path& folder) {
   const PathNames names(folder);
   Json root;
   root[kVersion] = kNewestProject;
-  root["source"] = sourceJson(project.source, names);
+  root["source"] = sourceJson(project.source, project.fit.exposure, names);
   root["fit"] = fitJson(project.fit, names);
   root["maps"] = project.maps.empty() ? Json(nullptr) : Json(names.nameOf(project.maps));
   addEditsTo(root, project.edits);
@@ -295,6 +323,7 @@ Result<Project> parseProject(std::string_view text, const fs::path& path, const 
   CUTIS_TRY(viewObject, root.object("view"));
   CUTIS_TRY(source, parseSource(sourceObject, names, notice));
   CUTIS_TRY(fit, parseFit(fitObject, names, notice));
+  CUTIS_CHECK(parseExposure(sourceObject, fit));
   CUTIS_TRY(edits, parseEdits(root, notice));
   CUTIS_TRY(view, parseView(viewObject, names, notice));
   Project project = {source, fit, edits, view, {}};

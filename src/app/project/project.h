@@ -22,8 +22,7 @@ enum class SourceKind { sample, image, capture, maps };
 struct ProjectSource {
   SourceKind kind = SourceKind::sample;
   std::filesystem::path path;  // empty for the sample
-  SourceOptions options;       // the surface's reflection is not among what a project holds
-  bool chooseExposure = true;  // anew for each fit, instead of the options' own
+  SourceOptions options;       // exposure and surface are the fit's
   // All that is read: the path itself, photographs, mask, rig and what these name.
   std::vector<SourceFile> files;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/app/open/image_search.h"
 #include "src/app/open/sample_source.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/images/codec/source_file.h"
@@ -89,23 +90,36 @@ bool checkUnchanged(const std::vector<SourceFile>& saved, const std::vector<Sour
   return true;
 }
 
-Result<OpenedSource> openSourceOf(ProjectSource& source, const std::string& profile, Engine& engine,
+Result<OpenedSource> openSourceOf(ProjectSource& source, const FitChoice& fit, Engine& engine,
                                   const std::shared_ptr<TileStore>& store,
                                   const JobContext& context) {
-  CUTIS_TRY(model, engine.model(profile, {}));
+  CUTIS_TRY(model, engine.model(fit.profile, {}));
+  source.options.surface = surfaceOf(fit, model->profile());
   source.files.clear();
   if (source.kind != SourceKind::sample)
     source.files = listSourceFiles(source.path, source.options);
   CUTIS_TRY(read, readSource(source, *model, engine, store, context));
   CUTIS_CHECK(addHashes(source.path, read.references, source.files, context.child(1.0, 1.0)));
-  return OpenedSource{model, std::make_shared<const Source>(std::move(read)), {}};
+  const auto opened = std::make_shared<const Source>(std::move(read));
+  return OpenedSource{model, atChosenExposure(opened, fit), {}};
+}
+
+fs::path unusedMaskBeside(const ProjectSource& source) {
+  if (source.path.empty() || !source.options.mask.empty() || isNamedMask(source.path)) return {};
+  // A capture may name its own.
+  const bool isMasked = std::any_of(source.files.begin(), source.files.end(),
+                                    [](const SourceFile& file) { return isNamedMask(file.path); });
+  if (isMasked) return {};
+  std::error_code ignored;
+  return maskBeside(fs::is_directory(source.path, ignored) ? source.path / "capture.json"
+                                                           : source.path);
 }
 
 Result<OpenedSource> openProjectSource(Project& project, Engine& engine,
                                        const std::shared_ptr<TileStore>& store,
                                        const JobContext& context) {
   const std::vector<SourceFile> saved = project.source.files;
-  CUTIS_TRY(opened, openSourceOf(project.source, project.fit.profile, engine, store,
+  CUTIS_TRY(opened, openSourceOf(project.source, project.fit, engine, store,
                                  context.child(0.0, kSourceRead, "reading")));
   CUTIS_CHECK(checkFitChoice(project.fit, *opened.source));
   if (checkUnchanged(saved, project.source.files, context) && !project.maps.empty()) {

@@ -21,11 +21,15 @@ struct OpenedSource {
   std::optional<ChromophoreMaps> maps;   // none: to be fitted
 };
 
-// Reads a source, whose files then hold the hashes and times of now, for a fit with the profile.
+// Reads a source, whose files then hold the hashes and times of now, for a fit as chosen.
 // Precondition here and below: a source of another kind than maps.
-Result<OpenedSource> openSourceOf(ProjectSource& source, const std::string& profile, Engine& engine,
+Result<OpenedSource> openSourceOf(ProjectSource& source, const FitChoice& fit, Engine& engine,
                                   const std::shared_ptr<TileStore>& store,
                                   const JobContext& context);
+
+// A picture that by its name is the mask of a source which has none and is none itself; empty if
+// there is no such picture beside it.
+std::filesystem::path unusedMaskBeside(const ProjectSource& source);
 
 // Reads the source of the project, whose files then hold the hashes and times of now. The maps are
 // taken only where their bytes are those that were saved, no file of the source has changed and the

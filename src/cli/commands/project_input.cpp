@@ -39,7 +39,7 @@ Result<EditedAlbedo> openProjectAlbedo(const std::string& path, const Session& s
     return albedo;
   }
   CUTIS_TRY(options, inProject(fitOptions(project.fit, opened.model->profile()), path));
-  CUTIS_TRY(fitted, fitSource(opened.model, opened.source, {options, project.source.chooseExposure},
+  CUTIS_TRY(fitted, fitSource(opened.model, opened.source, {options, !project.fit.exposure},
                               session.engine, session.store, context.child(kProjectRead, 1.0)));
   for (const FitRemark& remark : fitted.remarks)
     context.say(path + ": " + remark.sentence);

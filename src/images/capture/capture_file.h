@@ -47,6 +47,7 @@ struct CaptureReadOptions {
 
 struct Capture {
   std::string encoding;                  // as capture.json names it
+  std::vector<std::string> lights;       // all that there are, also those that were not asked for
   Measurements measurements;             // channels in the order of the rig
   std::vector<SourceReference> sources;  // one per light, in the order of the rig
   ImageMetadata metadata;                // of the first light's photograph

@@ -147,6 +147,7 @@ Status keepLights(const std::vector<std::string>& wanted, CaptureManifest& manif
   for (const CapturePhotograph& photograph : manifest.photographs) {
     there.push_back(manifest.rig.lights[static_cast<std::size_t>(photograph.light)].name);
   }
+  manifest.lights = there;
   for (const std::string& name : wanted) {
     if (std::find(there.begin(), there.end(), name) == there.end()) {
       return inputError(kLightsChoice, "the capture has no photograph under " + inQuotes(name) +

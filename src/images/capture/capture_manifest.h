@@ -42,8 +42,10 @@ struct CaptureEncoding {
 struct CaptureManifest {
   Rig rig;  // with only the lights that are there
   CaptureEncoding encoding;
-  std::vector<CapturePhotograph> photographs;  // one per light, in the order of the rig
-  std::filesystem::path mask;                  // may be empty
+  std::vector<std::string> lights;  // all that there are photographs of
+  std::vector<CapturePhotograph>
+      photographs;             // of those asked for, one per light, in the order of the rig
+  std::filesystem::path mask;  // may be empty
   bool isSimulated = false;
 };
 

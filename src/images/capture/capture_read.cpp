@@ -81,6 +81,7 @@ class CaptureReader {
     capture.measurements.isSimulated = manifest_.isSimulated;
     capture.orientation = first_.orientation;
     capture.encoding = manifest_.encoding.name;
+    capture.lights = manifest_.lights;
     CUTIS_CHECK(measure(capture.measurements));
     return capture;
   }

@@ -23,10 +23,9 @@ Project fullProject() {
   source.options.rig = "/work/rigs/studio.json";
   source.options.layer = "diffuse";
   source.options.colorSpace = "ACEScg";
-  source.options.exposure = 0.7;
-  source.chooseExposure = false;
   source.files = {{"/work/faces/face.exr", "0123"}, {"/work/masks/mask.png", "4567"}};
-  project.fit = {"/work/profiles/mine.json", FitMethod::threeStage, true};
+  project.fit = {
+      "/work/profiles/mine.json", FitMethod::threeStage, true, 0.7, SpecularPart::included, 0.03};
   project.edits.emplace_back();
   project.edits.front().name = "Tan";
   project.edits.front().parameters[kMelanin].scale = 1.4;
@@ -54,8 +53,6 @@ class ManifestTest : public QObject {
     QCOMPARE(project.source.path, wanted.source.path);
     QCOMPARE(project.source.options.mask, wanted.source.options.mask);
     QCOMPARE(project.source.options.rig, wanted.source.options.rig);
-    QCOMPARE(project.source.options.exposure, 0.7);
-    QVERIFY(!project.source.chooseExposure);
     QCOMPARE(project.source.files.size(), std::size_t{2});
     QCOMPARE(project.source.files[1].hash, std::string("4567"));
     QVERIFY(project.fit == wanted.fit);
@@ -89,7 +86,7 @@ class ManifestTest : public QObject {
     const auto sample = parseProject(projectText(project, "/a"), "/a/b.cutis", {});
     EXPECT_OK(sample);
     QVERIFY(sample.value().source.kind == SourceKind::sample);
-    project.source = {SourceKind::maps, "/a/maps.exr", {}, true, {{"/a/maps.exr", "01"}}};
+    project.source = {SourceKind::maps, "/a/maps.exr", {}, {{"/a/maps.exr", "01"}}};
     const auto maps = parseProject(projectText(project, "/a"), "/a/b.cutis", {});
     EXPECT_OK(maps);
     QVERIFY(maps.value().source.kind == SourceKind::maps);

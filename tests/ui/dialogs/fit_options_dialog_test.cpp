@@ -48,7 +48,7 @@ class FitOptionsDialogTest : public test::UiTest {
     choice.fixed[kCarotene] = 0.001;
     choice.prior = "/folder/prior.json";
     choice.discrepancy = false;
-    FitOptionsDialog dialog(choice, profile_, kUsual);
+    FitOptionsDialog dialog(choice, profile_, kUsual, {});
     dialog.show();
     QVERIFY(dialog.choice() == choice);
     QVERIFY(fit_options::box(dialog, "Carotene").isChecked());
@@ -57,7 +57,7 @@ class FitOptionsDialogTest : public test::UiTest {
   }
 
   void aParameterIsHeldByMouseAndKeys() {
-    FitOptionsDialog dialog({}, profile_, kUsual);
+    FitOptionsDialog dialog({}, profile_, kUsual, {});
     dialog.show();
     QCheckBox& held = fit_options::box(dialog, "Melanin");
     QTest::mouseClick(&held, Qt::LeftButton, {}, QPoint(6, held.height() / 2));
@@ -71,7 +71,7 @@ class FitOptionsDialogTest : public test::UiTest {
   }
 
   void exactIsNoNoise() {
-    FitOptionsDialog dialog({}, profile_, kUsual);
+    FitOptionsDialog dialog({}, profile_, kUsual, {});
     dialog.show();
     auto& noise = fit_options::named<QComboBox>(dialog, "Noise");
     QVERIFY(noise.itemText(0).contains("0.005"));
@@ -85,7 +85,7 @@ class FitOptionsDialogTest : public test::UiTest {
   void optionsAskForTheMethodRefined() {
     FitChoice choice;
     choice.method = FitMethod::threeStage;
-    FitOptionsDialog dialog(choice, profile_, kUsual);
+    FitOptionsDialog dialog(choice, profile_, kUsual, {});
     dialog.show();
     QVERIFY(dialog.choice() == choice);
     fit_options::box(dialog, "Carotene").click();
@@ -94,7 +94,7 @@ class FitOptionsDialogTest : public test::UiTest {
   }
 
   void whatCannotBeIsSaid() {
-    FitOptionsDialog dialog({}, profile_, kUsual);
+    FitOptionsDialog dialog({}, profile_, kUsual, {});
     dialog.show();
     auto& note = fit_options::named<QLabel>(dialog, "What cannot be");
     for (const char* name :
@@ -111,6 +111,48 @@ class FitOptionsDialogTest : public test::UiTest {
     QVERIFY(note.isVisible());
     QVERIFY(!button(dialog, "&Fit")->isEnabled());
     dialog.close();
+  }
+
+  void lightsAndReflectionAreOfCaptures() {
+    FitOptionsDialog texture({}, profile_, kUsual, {});
+    texture.show();
+    QVERIFY(!fit_options::named<QComboBox>(texture, "Surface reflection").isVisible());
+    QVERIFY(texture.lights().empty());
+    texture.close();
+    FitOptionsDialog dialog({}, profile_, kUsual, {{"white", "blue"}, {"white", "blue"}});
+    dialog.show();
+    auto& note = fit_options::named<QLabel>(dialog, "What cannot be");
+    QVERIFY2(dialog.lights().empty(), "all");
+    QCheckBox& white = fit_options::box(dialog, "white");
+    QTest::mouseClick(&white, Qt::LeftButton, {}, QPoint(6, white.height() / 2));
+    QCOMPARE(dialog.lights(), std::vector<std::string>{"blue"});
+    fit_options::box(dialog, "blue").click();
+    QVERIFY(note.isVisible() && note.text().contains("No light"));
+    QVERIFY(!button(dialog, "&Fit")->isEnabled());
+    QTest::mouseClick(button(dialog, "&Reset"), Qt::LeftButton);
+    QVERIFY(dialog.lights().empty());
+    QTest::keyClick(&fit_options::named<QComboBox>(dialog, "Surface reflection"), Qt::Key_End);
+    auto& share = fit_options::named<QDoubleSpinBox>(dialog, "Surface reflection, share");
+    QVERIFY(share.isEnabled());
+    share.selectAll();
+    QTest::keyClicks(&share, "0.03");
+    QTest::keyClick(&share, Qt::Key_Tab);
+    QVERIFY(dialog.choice().specular == SpecularPart::included);
+    QCOMPARE(dialog.choice().specularShare, 0.03);
+    dialog.close();
+  }
+
+  void whatIsKeptOutStaysAsItWasSaid() {
+    FitChoice choice;
+    choice.specular = SpecularPart::crossPolarised;
+    FitOptionsDialog dialog(choice, profile_, kUsual, {{"white"}, {"white"}});
+    QVERIFY(dialog.choice() == choice);
+    choice.specular = SpecularPart::included;
+    choice.shading = true;
+    FitOptionsDialog shaded(choice, profile_, kUsual, {{"white"}, {"white"}});
+    shaded.show();
+    QVERIFY(fit_options::named<QLabel>(shaded, "What cannot be").text().contains("shading"));
+    shaded.close();
   }
 
  private:

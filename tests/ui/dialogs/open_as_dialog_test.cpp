@@ -72,7 +72,7 @@ class OpenAsDialogTest : public test::UiTest {
     const OpenChoice choice = dialog.choice();
     QCOMPARE(choice.source.layer, std::string("albedo"));
     QCOMPARE(choice.source.colorSpace, std::string("sRGB"));
-    QVERIFY(choice.chooseExposure);
+    QVERIFY(!choice.exposure);
     dialog.close();
   }
 
@@ -114,9 +114,26 @@ class OpenAsDialogTest : public test::UiTest {
     QLineEdit& mask = named<QLineEdit>(dialog, "Mask");
     QTest::keyClicks(&mask, "/folder/mask.png");
     const OpenChoice choice = dialog.choice();
-    QVERIFY(!choice.chooseExposure);
-    QCOMPARE(choice.source.exposure, 2.5);
+    QCOMPARE(choice.exposure, std::optional<double>(2.5));
     QCOMPARE(choice.source.mask.string(), std::string("/folder/mask.png"));
+    dialog.close();
+  }
+
+  void whatIsOpenIsShownAsItWasRead() {
+    OpenAsDialog dialog("/folder/face.exr", twoLayers(), {});
+    OpenChoice read;
+    read.source.layer = "albedo";
+    read.source.colorSpace = "Display P3";
+    read.source.mask = "/folder/mask.png";
+    read.exposure = 0.71;
+    dialog.showInterpretation(read);
+    dialog.show();
+    const OpenChoice choice = dialog.choice();
+    QCOMPARE(choice.source.layer, read.source.layer);
+    QCOMPARE(choice.source.colorSpace, read.source.colorSpace);
+    QCOMPARE(choice.source.mask, read.source.mask);
+    QCOMPARE(choice.exposure, std::optional<double>(0.71));
+    QCOMPARE(openButton(dialog).text(), QString("&Apply"));
     dialog.close();
   }
 

@@ -18,7 +18,7 @@ std::string fileText(const fs::path& file) {
   return file.string() + (fs::exists(file, ignored) ? "" : " (missing)");
 }
 
-std::string sourceText(const ProjectSource& source) {
+std::string sourceText(const ProjectSource& source, const std::optional<double>& exposure) {
   if (source.kind == SourceKind::sample) return line("source", "the embedded sample");
   std::string text = line("source", fileText(source.path));
   for (const SourceFile& file : source.files)
@@ -28,8 +28,8 @@ std::string sourceText(const ProjectSource& source) {
           line("mask", options.mask.string()) + line("layer", options.layer) +
           line("colour space", options.colorSpace);
   if (source.kind == SourceKind::image) {
-    text += line("exposure",
-                 source.chooseExposure ? "chosen by each fit" : formatNumber(options.exposure));
+    text +=
+        line("exposure", exposure ? formatNumber(*exposure) : std::string("chosen by each fit"));
   }
   return text;
 }
@@ -57,7 +57,7 @@ std::string editText(const Edit& edit) {
 
 Result<std::string> describeProject(const std::string& path, const Session& session) {
   CUTIS_TRY(project, readProject(path, session.context.notice));
-  std::string text = line("kind", "project") + sourceText(project.source);
+  std::string text = line("kind", "project") + sourceText(project.source, project.fit.exposure);
   text += line("profile", project.fit.profile);
   text += line("method",
                fitMethodName(project.fit.method) + (project.fit.shading ? ", with shading" : ""));
