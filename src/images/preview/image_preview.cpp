@@ -17,8 +17,10 @@ namespace cutis {
 namespace {
 
 constexpr int kMostJpegReduction = 8;
-// Samples that are decoded for a first impression.
-constexpr std::int64_t kMostBytes = std::int64_t{128} << 20;
+// Samples that are decoded for a first impression. Rows of tiles are high, and what is filled in
+// between them is seen.
+constexpr std::int64_t kMostBytesOfRows = std::int64_t{64} << 20;
+constexpr std::int64_t kMostBytesOfTiles = std::int64_t{128} << 20;
 
 // What is to be seen of an open file.
 struct Subject {
@@ -91,7 +93,8 @@ std::optional<ImagePreview> sparsePreview(const std::filesystem::path& path, Ima
   const int step =
       reductionOf(std::max(part.window.width(), part.window.height()), options.leastSide);
   const auto layout = canvasLayout(part, subject.layer, step);
-  const SparseRows rows = chooseRows(part, reader.kind(), step, kMostBytes);
+  const std::int64_t mostBytes = part.spec.tile_width > 0 ? kMostBytesOfTiles : kMostBytesOfRows;
+  const SparseRows rows = chooseRows(part, reader.kind(), step, mostBytes);
   if (!layout || rows.empty()) return std::nullopt;
   PreviewCanvas canvas(*layout, subject.toLinear);
   if (!readSparsely(path, part, rows, canvas, context)) return std::nullopt;
