@@ -6,7 +6,7 @@
 #include "src/images/color/file_colors.h"
 #include "src/images/image_file.h"
 #include "src/images/layer_choice.h"
-#include "src/images/preview/row_preview.h"
+#include "src/images/row_preview.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/images/preview/row_preview.h"
+#include "src/images/row_preview.h"
 
 #include <algorithm>
 #include <chrono>
@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "src/images/preview/image_preview.h"
 #include "src/images/preview/preview_layout.h"
 
 namespace cutis {
