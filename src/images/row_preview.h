@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images
+#pragma once
 
 // A picture seen while its rows are read one after the other: src/images/preview/row_preview.cpp.
 

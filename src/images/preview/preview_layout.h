@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images
+#pragma once
 
 // What of an open picture its first impression is made of.
 

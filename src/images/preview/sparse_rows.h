@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images/preview
+#pragma once
 
 // Some of a picture's rows, evenly spread over it, where a file gives them without those before.
 
