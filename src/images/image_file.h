@@ -38,6 +38,8 @@
 
 namespace cutis {
 
+struct PreviewSink;
+
 // Where a picture lies in its file, in pixels of the picture. Both are all of it except for
 // OpenEXR.
 struct ImageFrame {
@@ -93,6 +95,8 @@ struct ImageReadOptions {
   std::function<Status(const ImageHeader& header)> accept = {};
   std::string layer = {};  // as for readImageHeader()
   bool overscan = false;   // what is stored outside of the display window, too
+  // Sees the picture while it is read (src/images/preview/image_preview.h); null: nobody does.
+  const PreviewSink* preview = nullptr;
 };
 
 Result<Image> readImage(const std::filesystem::path& path, const ImageReadOptions& options,

@@ -6,6 +6,7 @@
 #include "src/images/color/file_colors.h"
 #include "src/images/image_file.h"
 #include "src/images/layer_choice.h"
+#include "src/images/row_preview.h"
 
 namespace cutis {
 namespace {
@@ -103,7 +104,10 @@ Result<Image> readImage(const std::filesystem::path& path, const ImageReadOption
       part.type == SampleType::half ? PixelFormat::half : PixelFormat::float32);
   std::vector<int> all(static_cast<std::size_t>(part.spec.nchannels));
   std::iota(all.begin(), all.end(), 0);
-  CUTIS_TRY(planes, reader.read(part, all, format, store, context.child(kHashShare, 1.0)));
+  RowsSeen seen;
+  if (options.preview)
+    seen = rowPreview(part, image.layer, image.colors, *options.preview, context);
+  CUTIS_TRY(planes, reader.read(part, all, format, store, context.child(kHashShare, 1.0), seen));
   image.channels = std::move(planes);
   return image;
 }

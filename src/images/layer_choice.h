@@ -1,4 +1,4 @@
-#pragma once  // internal to src/images
+#pragma once
 
 // Layers of an open file, and which of them is meant.
 

@@ -174,8 +174,9 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
     colors = std::move(decided);
     return {};
   };
-  CUTIS_TRY(image, readImage(path, {.accept = accept, .layer = options.layer, .overscan = true},
-                             store, context.child(0.0, 0.7)));
+  const ImageReadOptions read = {
+      .accept = accept, .layer = options.layer, .overscan = true, .preview = options.preview};
+  CUTIS_TRY(image, readImage(path, read, store, context.child(0.0, 0.7)));
   sayHowColorsAreRead(colors, image.colors, place, context);
   sayLostBits(image, place, context);
   if (isGrey(image)) {
@@ -186,8 +187,8 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   if (!options.mask.empty()) {
     const MaskedPicture picture = {image.width, image.height, inQuotes(place), image.frame.display,
                                    image.orientation};
-    CUTIS_TRY(read, readMask(options.mask, picture, store, context.child(0.7, 0.75)));
-    mask = read;
+    CUTIS_TRY(found, readMask(options.mask, picture, store, context.child(0.7, 0.75)));
+    mask = found;
   }
   Albedo albedo;
   albedo.source = std::move(image);

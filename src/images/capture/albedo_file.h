@@ -24,8 +24,9 @@ namespace cutis {
 struct AlbedoOptions {
   // Empty: what the file says (src/images/color/color_statement.h).
   std::string colorSpace = {};
-  std::filesystem::path mask = {};  // may be empty
-  std::string layer = {};           // of an OpenEXR file, see src/images/image_layers.h
+  std::filesystem::path mask = {};       // may be empty
+  std::string layer = {};                // of an OpenEXR file, see src/images/image_layers.h
+  const PreviewSink* preview = nullptr;  // as for readImage()
 };
 
 struct Albedo {

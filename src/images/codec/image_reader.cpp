@@ -37,14 +37,6 @@ std::optional<SampleType> sampleTypeOf(OIIO::TypeDesc type) {
   }
 }
 
-// The type rows are asked for in: that of the file if our own conversion knows it, else float.
-OIIO::TypeDesc transferType(const ImagePart& part) {
-  const bool uniform = part.spec.channelformats.empty();
-  if (uniform && part.type == SampleType::uint8) return OIIO::TypeUInt8;
-  if (uniform && part.type == SampleType::uint16) return OIIO::TypeUInt16;
-  return OIIO::TypeFloat;
-}
-
 // libjpeg also complains about what does no harm to the picture; some cameras write such files.
 bool isHarmless(ImageFileKind kind, const std::string& message) {
   return kind == ImageFileKind::jpeg &&
@@ -88,6 +80,13 @@ int ImagePart::channelIndex(std::string_view channelName) const {
   const auto found = std::find(spec.channelnames.begin(), spec.channelnames.end(), channelName);
   return found == spec.channelnames.end() ? -1
                                           : static_cast<int>(found - spec.channelnames.begin());
+}
+
+OIIO::TypeDesc rowType(const ImagePart& part) {
+  const bool uniform = part.spec.channelformats.empty();
+  if (uniform && part.type == SampleType::uint8) return OIIO::TypeUInt8;
+  if (uniform && part.type == SampleType::uint16) return OIIO::TypeUInt16;
+  return OIIO::TypeFloat;
 }
 
 SampleType ImagePart::channelType(int channel) const {
@@ -268,7 +267,7 @@ bool ImageReader::hasFurtherPages() try {
 Result<ImageReader::Chunks> ImageReader::divide(const ImagePart& part) const {
   Chunks chunks;
   chunks.rowBytes = static_cast<std::size_t>(part.spec.width) *
-                    static_cast<std::size_t>(part.storedChannels) * transferType(part).size();
+                    static_cast<std::size_t>(part.storedChannels) * rowType(part).size();
   const auto rowBytes = static_cast<std::int64_t>(chunks.rowBytes);
   if (part.spec.tile_width > 0) {
     chunks.rowsPerStep = part.spec.tile_height;
@@ -287,15 +286,14 @@ Result<ImageReader::Chunks> ImageReader::divide(const ImagePart& part) const {
   return chunks;
 }
 
-Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::vector<std::byte>& buffer,
-                             std::size_t offset) try {
+Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::byte* rows) try {
   const OIIO::ImageSpec& spec = part.spec;
   const bool read =
       spec.tile_width > 0
-          ? input_->read_tiles(part.index, 0, spec.x, spec.x + spec.width, y0, y1, 0, 1, 0,
-                               part.storedChannels, transferType(part), buffer.data() + offset)
-          : input_->read_scanlines(part.index, 0, y0, y1, 0, 0, part.storedChannels,
-                                   transferType(part), buffer.data() + offset);
+          ? input_->read_tiles(part.index, part.level, spec.x, spec.x + spec.width, y0, y1, 0, 1, 0,
+                               part.storedChannels, rowType(part), rows)
+          : input_->read_scanlines(part.index, part.level, y0, y1, 0, 0, part.storedChannels,
+                                   rowType(part), rows);
   // A cut-off TIFF or JPEG reads with success; only the message says so.
   const std::string message = input_->geterror();
   if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
@@ -338,7 +336,7 @@ Status storeChannel(const ImagePart& part, const std::byte* rows, const Rect& ch
 Status storeChunk(const ImagePart& part, const std::byte* rows, const Rect& chunk,
                   std::span<const int> channels, std::vector<Plane>& planes,
                   const JobContext& context) {
-  const OIIO::TypeDesc type = transferType(part);
+  const OIIO::TypeDesc type = rowType(part);
   return parallelFor(planes.size(), {context.stop, {}, {}}, [&](std::size_t i) -> Status {
     if (type == OIIO::TypeUInt8) {
       return storeChannel<std::uint8_t>(part, rows, chunk, channels[i], planes[i]);
@@ -390,12 +388,12 @@ Result<std::vector<Plane>> convertColors(const StoredColors& colors, std::vector
 Result<std::vector<Plane>> ImageReader::read(const ImagePart& part, std::span<const int> channels,
                                              PixelFormat format,
                                              const std::shared_ptr<TileStore>& store,
-                                             const JobContext& context) {
+                                             const JobContext& context, const RowsSeen& seen) {
   if (!part.otherColors || !part.otherColors->toLinearRec709)
-    return readStored(part, channels, format, store, context);
+    return readStored(part, channels, format, store, context, seen);
   std::vector<int> all(static_cast<std::size_t>(part.storedChannels));
   std::iota(all.begin(), all.end(), 0);
-  CUTIS_TRY(stored, readStored(part, all, PixelFormat::float32, store, context));
+  CUTIS_TRY(stored, readStored(part, all, PixelFormat::float32, store, context, seen));
   CUTIS_TRY(converted, convertColors(*part.otherColors, std::move(stored), store, context));
   std::vector<Plane> planes;
   for (const int channel : channels)
@@ -403,11 +401,9 @@ Result<std::vector<Plane>> ImageReader::read(const ImagePart& part, std::span<co
   return planes;
 }
 
-Result<std::vector<Plane>> ImageReader::readStored(const ImagePart& part,
-                                                   std::span<const int> channels,
-                                                   PixelFormat format,
-                                                   const std::shared_ptr<TileStore>& store,
-                                                   const JobContext& context) try {
+Result<std::vector<Plane>> ImageReader::readStored(
+    const ImagePart& part, std::span<const int> channels, PixelFormat format,
+    const std::shared_ptr<TileStore>& store, const JobContext& context, const RowsSeen& seen) try {
   if (kind_ == ImageFileKind::png) {
     CUTIS_CHECK(checkPngChunks(place_, PngExtent::whole, context));
   }
@@ -425,7 +421,11 @@ Result<std::vector<Plane>> ImageReader::readStored(const ImagePart& part,
     for (int y = y0; y < y1; y += chunks.rowsPerStep) {
       if (context.stopRequested()) return Cancelled{};
       const std::size_t offset = static_cast<std::size_t>(y - y0) * chunks.rowBytes;
-      CUTIS_CHECK(readRows(part, y, std::min(y1, y + chunks.rowsPerStep), buffer, offset));
+      CUTIS_CHECK(readRows(part, y, std::min(y1, y + chunks.rowsPerStep), buffer.data() + offset));
+    }
+    if (seen) {
+      const std::size_t bytes = static_cast<std::size_t>(y1 - y0) * chunks.rowBytes;
+      seen(std::span(buffer).first(bytes), y0, y1);
     }
     CUTIS_CHECK(
         storeChunk(part, buffer.data(), {stored.x0, y0, stored.x1, y1}, channels, planes, context));

@@ -5,6 +5,8 @@
 // Everything OpenImageIO throws or reports ends up as one sentence that names the file. Memory is
 // bounded by bands of rows, whatever the header asks for. Not thread-safe.
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -32,6 +34,7 @@ inline constexpr int kMostParts = 64;
 
 struct ImagePart {
   int index = 0;
+  int level = 0;     // the picture itself, or a smaller version of it
   std::string name;  // of a part of a multi-part EXR
   // The picture: the display window of an EXR, else all that is stored.
   Rect window;
@@ -55,6 +58,13 @@ struct ImagePart {
   SampleType channelType(int channel) const;
 };
 
+// What rows of the part are read as: samples of 8 or 16 bits as they are, else floats.
+OIIO::TypeDesc rowType(const ImagePart& part);
+
+// Hears the rows [y0, y1) of what is stored once they are read, all stored channels beside each
+// other. May be empty.
+using RowsSeen = std::function<void(std::span<const std::byte> rows, int y0, int y1)>;
+
 class ImageReader {
  public:
   static Result<ImageReader> open(const std::filesystem::path& path, const JobContext& context);
@@ -74,7 +84,11 @@ class ImageReader {
   // The chosen channels of a part, each a plane of the picture's size, upright.
   Result<std::vector<Plane>> read(const ImagePart& part, std::span<const int> channels,
                                   PixelFormat format, const std::shared_ptr<TileStore>& store,
-                                  const JobContext& context);
+                                  const JobContext& context, const RowsSeen& seen = {});
+
+  // Rows [y0, y1) of what is stored, all stored channels beside each other. Precondition: of a
+  // tiled file whole rows of tiles.
+  Status readRows(const ImagePart& part, int y0, int y1, std::byte* rows);
 
   // Smaller versions of a part count, too: level 0 is the part itself.
   int levelCount(int part);
@@ -90,10 +104,8 @@ class ImageReader {
   Result<Chunks> divide(const ImagePart& part) const;
   Result<std::vector<Plane>> readStored(const ImagePart& part, std::span<const int> channels,
                                         PixelFormat format, const std::shared_ptr<TileStore>& store,
-                                        const JobContext& context);
+                                        const JobContext& context, const RowsSeen& seen);
   Status openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints);
-  Status readRows(const ImagePart& part, int y0, int y1, std::vector<std::byte>& buffer,
-                  std::size_t offset);
   Error damaged(const std::string& reason) const;
 
   std::string place_;
