@@ -15,6 +15,7 @@
 #include <QtTest>
 
 #include "src/app/project/manifest.h"
+#include "src/files/io/platform.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
@@ -29,6 +30,7 @@
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/main_window.h"
+#include "ui/window/private_data.h"
 
 namespace cutis {
 namespace {
@@ -266,6 +268,22 @@ class ProjectWindowTest : public test::UiTest {
     window_->keepJournals(folder_ / "journals");
     QVERIFY(question() != nullptr);
     answer("Discard");
+  }
+
+  // The small pictures of what was opened, in the cache, until private data are cleared.
+  void recentFilesHaveThumbnails() {
+    open("one.png");
+    const fs::path kept = cacheFolder() / "thumbnails";
+    QTRY_VERIFY(fs::exists(kept) && !fs::is_empty(kept));
+    window_->saves().saveTo(file("thumbs.cutis"));
+    waitUntilIdle();
+    QTRY_COMPARE(std::distance(fs::directory_iterator(kept), {}), 2);
+    QMenu* recent = recentMenu();
+    QVERIFY(recent != nullptr);
+    Q_EMIT recent->aboutToShow();
+    QTRY_VERIFY(!recent->actions()[0]->icon().isNull());
+    clearPrivateData();
+    QVERIFY(!fs::exists(kept));
   }
 
   void recentFilesAreAtHandAndForgotten() {

@@ -127,13 +127,18 @@ void OpenController::ask(const QString& path, const ImageInspection& image, cons
   dialog->open();
 }
 
-void OpenController::remember(const Document& document) {
+QString OpenController::fileOf(const Document& document) {
   std::filesystem::path opened = document.projectPath();
   if (opened.empty() && !document.sourceFiles().empty()) opened = document.sourceFiles().front();
-  if (opened.empty()) return;
+  if (opened.empty()) return {};
+  return QFileInfo(QString::fromStdString(opened.string())).absoluteFilePath();
+}
+
+void OpenController::remember(const Document& document) {
+  const QString file = fileOf(document);
+  if (file.isEmpty()) return;
   QSettings settings;
   QStringList files = settings.value(kRecentFiles).toStringList();
-  const QString file = QFileInfo(QString::fromStdString(opened.string())).absoluteFilePath();
   files.removeAll(file);
   files.prepend(file);
   settings.setValue(kRecentFiles, files.mid(0, kMostRecentFiles));

@@ -42,7 +42,10 @@ class OpenController : public QObject {
   // opened otherwise, if a sentence says why: then nobody is asked where no choice would help.
   void openAs(const QString& path, const QString& reason = {});
 
-  // Puts what was opened or saved in front of the recent files.
+  // What was opened or saved, as it is remembered: the project, or the file of the source. Empty:
+  // the sample.
+  static QString fileOf(const Document& document);
+  // Puts it in front of the recent files.
   void remember(const Document& document);
   // Absolute paths that are still there, newest first.
   QStringList recentFiles() const;

@@ -39,6 +39,7 @@ ViewController::ViewController(Document& document, ViewServer& server, Viewport&
       })) {
   connect(&document, &Document::opened, this, &ViewController::open);
   connect(&document, &Document::previewed, this, &ViewController::showPreview);
+  connect(&document, &Document::previewRefined, this, &ViewController::refinePreview);
   connect(&document, &Document::previewEnded, this, &ViewController::endPreview);
   connect(&document, &Document::sceneReplaced, this, [this] {
     ranges_.clear();
@@ -64,6 +65,11 @@ void ViewController::showPreview(const SourcePreview& preview) {
   viewport_.setOverview(preview_);
 }
 
+void ViewController::refinePreview(const SourcePreview& preview) {
+  preview_ = colorImage({{}, preview.picture});
+  viewport_.setOverview(preview_);
+}
+
 void ViewController::endPreview() {
   preview_ = {};
   viewport_.clear();
@@ -73,6 +79,7 @@ void ViewController::open() {
   const Scene& scene = document_.scene();
   detail_ = nullptr;
   overview_ = nullptr;
+  firstPicture_ = {};
   ranges_.clear();
   current_ = scene.source ? ViewKind::photograph : ViewKind::skin;
   fillStrip();
@@ -162,7 +169,12 @@ void ViewController::showDetail() {
 }
 
 void ViewController::showOverview() {
-  if (overview_ && overview_->request.view == current_) viewport_.setOverview(imageOf(*overview_));
+  if (!overview_ || overview_->request.view != current_) return;
+  const QImage image = imageOf(*overview_);
+  viewport_.setOverview(image);
+  if (!firstPicture_.isNull() || describe(current_).scale) return;
+  firstPicture_ = image;
+  Q_EMIT firstPictureSeen();
 }
 
 bool ViewController::awaitsEstimate(ViewKind view) const {

@@ -42,7 +42,11 @@ class ViewController : public QObject {
   // A view that the document does not have is ignored.
   void show(ViewKind view);
 
+  // Of what is open the whole picture as it was first seen, small; null until it is.
+  const QImage& firstPicture() const { return firstPicture_; }
+
  Q_SIGNALS:
+  void firstPictureSeen();
   void currentChanged();
 
  private:
@@ -51,6 +55,7 @@ class ViewController : public QObject {
   void open();
   // While nothing is open.
   void showPreview(const SourcePreview& preview);
+  void refinePreview(const SourcePreview& preview);
   void endPreview();
   bool awaitsEstimate(ViewKind view) const;
   void fillStrip();
@@ -75,6 +80,7 @@ class ViewController : public QObject {
   Part detail_;
   Part overview_;
   QImage preview_;  // null: none is shown
+  QImage firstPicture_;
   std::unique_ptr<ViewWatch> detailWatch_;
   std::unique_ptr<ViewWatch> overviewWatch_;
   bool stripSeen_ = false;

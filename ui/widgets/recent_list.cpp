@@ -13,6 +13,22 @@ namespace {
 
 constexpr int kMostVisible = 8;
 
+// Fitted into the square, at the density of the screen. An empty plate where there is none.
+void drawThumbnail(QPainter& painter, const QRect& square, const QImage& thumbnail) {
+  if (thumbnail.isNull()) {
+    painter.fillRect(square, theme::tones().raised);
+    return;
+  }
+  const double density = painter.device()->devicePixelRatioF();
+  QImage image =
+      thumbnail.scaled(square.size() * density, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  image.setDevicePixelRatio(density);
+  const QSizeF size = QSizeF(image.size()) / density;
+  painter.drawImage(QPointF(square.left() + (square.width() - size.width()) / 2,
+                            square.top() + (square.height() - size.height()) / 2),
+                    image);
+}
+
 QString shownFolder(const QString& path) {
   const QString folder = QFileInfo(path).path();
   const QString home = QDir::homePath();
@@ -34,9 +50,11 @@ class FileDelegate : public QStyledItemDelegate {
     const bool lit = option.state & (QStyle::State_MouseOver | QStyle::State_HasFocus);
     painter->save();
     if (lit) painter->fillRect(option.rect, tones.raised);
-    const QRect inside =
-        option.rect.adjusted(theme::kSpace, theme::kHalfSpace + 2, -theme::kSpace, 0);
+    QRect inside = option.rect.adjusted(theme::kSpace, theme::kHalfSpace + 2, -theme::kSpace, 0);
     const int line = option.fontMetrics.height();
+    const QRect square(inside.topLeft(), QSize(2 * line, 2 * line));
+    drawThumbnail(*painter, square, index.data(Qt::DecorationRole).value<QImage>());
+    inside.setLeft(square.right() + 1 + theme::kSpace);
     const QString path = index.data(Qt::UserRole).toString();
     const auto draw = [&](int row, const QString& text, const QColor& color, auto elide) {
       painter->setPen(color);
@@ -76,8 +94,15 @@ void RecentList::setFiles(const QStringList& paths) {
     auto* item = new QListWidgetItem(QFileInfo(path).fileName(), this);
     item->setData(Qt::UserRole, path);
     item->setToolTip(QDir::toNativeSeparators(path));
+    item->setData(Qt::AccessibleTextRole,
+                  tr("%1 in %2").arg(QFileInfo(path).fileName(), shownFolder(path)));
   }
   updateGeometry();
+}
+
+void RecentList::showThumbnails(const std::function<QImage(const QString& path)>& thumbnailOf) {
+  for (int row = 0; row < count(); ++row)
+    item(row)->setData(Qt::DecorationRole, thumbnailOf(item(row)->data(Qt::UserRole).toString()));
 }
 
 // itemActivated would open twice at a double click.

@@ -1,7 +1,11 @@
 #pragma once
 
-// Recent files, newest first: file name above its folder. A click or Return opens one.
+// Recent files, newest first: file name above its folder, beside a small picture where there is
+// one. A click or Return opens one.
 
+#include <functional>
+
+#include <QImage>
 #include <QListWidget>
 #include <QStringList>
 
@@ -15,6 +19,8 @@ class RecentList : public QListWidget {
 
   // Absolute paths.
   void setFiles(const QStringList& paths);
+  // The small picture of a file, null if there is none; asked once for each file of the list.
+  void showThumbnails(const std::function<QImage(const QString& path)>& thumbnailOf);
 
   // The list is as high as its files, up to eight of them.
   QSize sizeHint() const override;

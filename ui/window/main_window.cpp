@@ -32,6 +32,7 @@
 #include "ui/window/close_guard.h"
 #include "ui/window/command_catalogue.h"
 #include "ui/window/editor.h"
+#include "ui/window/file_thumbnails.h"
 #include "ui/window/job_display.h"
 #include "ui/window/recent_menu.h"
 #include "ui/window/recovery.h"
@@ -58,6 +59,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
       exportButton_(new QPushButton(tr("Export edited albedo…"), this)),
       commands_(new CommandRegistry(*this)),
       opener_(new OpenController(jobs_, *progress_, this)),
+      thumbnails_(new FileThumbnails(jobs_, thumbnailFolder(), this)),
       tabs_(new DocumentTabs(
           [this](QWidget* stack) {
             return new DocumentPage(*engine_, *progress_, *commands_, stack);
@@ -108,12 +110,27 @@ void MainWindow::addRecentMenu() {
   connect(recent, &RecentMenu::openWanted, opener_, &OpenController::open);
   connect(recent, &RecentMenu::clearWanted, this, [this] {
     forgetRecentFiles();
+    thumbnails_->clear();
     start_->setRecentFiles({});
+  });
+  const auto thumbnailOf = [this](const QString& file) { return thumbnails_->of(file); };
+  connect(recent, &QMenu::aboutToShow, this, [this, recent, thumbnailOf] {
+    recent->showThumbnails(thumbnailOf);
+    thumbnails_->look(opener_->recentFiles());
+  });
+  connect(thumbnails_, &FileThumbnails::changed, this, [this, recent, thumbnailOf] {
+    recent->showThumbnails(thumbnailOf);
+    start_->showThumbnails(thumbnailOf);
   });
   // Behind what else opens files.
   QMenu* file = menuBar()->actions().front()->menu();
   const QList<QAction*> rows = file->actions();
   file->insertMenu(rows[rows.indexOf(commands_->action("file.interpretAs")) - 1], recent);
+}
+
+void MainWindow::keepThumbnail(DocumentPage& page) {
+  const QString file = OpenController::fileOf(page.document());
+  if (!file.isEmpty()) thumbnails_->keep(file, page.views().firstPicture(), opener_->recentFiles());
 }
 
 void MainWindow::layOut() {
@@ -164,6 +181,8 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(document, &Document::openingFailed, opener_, &OpenController::openAs);
   connect(&page.reopening(), &ReopenController::pictureWanted, opener_, &OpenController::open);
   connect(document, &Document::opened, this, [this, document] { opener_->remember(*document); });
+  connect(&page.views(), &ViewController::firstPictureSeen, this,
+          [this, &page] { keepThumbnail(page); });
   connect(document, &Document::fitted, this, &MainWindow::refreshCommands);
   connect(document, &Document::editsChanged, this, &MainWindow::refreshCommands);
   connect(document, &Document::fitChoiceChanged, this, &MainWindow::refreshCommands);
@@ -176,7 +195,10 @@ void MainWindow::connectPage(DocumentPage& page) {
 void MainWindow::connectSaving(DocumentPage& page) {
   finder_->watch(page);
   const Document* document = &page.document();
-  connect(document, &Document::saved, this, [this, document] { opener_->remember(*document); });
+  connect(document, &Document::saved, this, [this, document, &page] {
+    opener_->remember(*document);
+    keepThumbnail(page);
+  });
   connect(document, &Document::modifiedChanged, this, [this] {
     tabs_->refreshTitles();
     showTitle();
@@ -200,11 +222,18 @@ void MainWindow::showCurrent() {
   showTitle();
   // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
   exportButton_->setVisible(isOpen);
-  if (!isOpen) start_->setRecentFiles(opener_->recentFiles());
+  if (!isOpen) showRecentFiles();
   contents_->setCurrentWidget(isOpen ? static_cast<QWidget*>(tabs_) : start_);
   progress_->setMessagesShown(isOpen);
   if (isOpen) viewport().setFocus();
   refreshCommands();
+}
+
+void MainWindow::showRecentFiles() {
+  const QStringList files = opener_->recentFiles();
+  start_->setRecentFiles(files);
+  start_->showThumbnails([this](const QString& file) { return thumbnails_->of(file); });
+  thumbnails_->look(files);
 }
 
 void MainWindow::showTitle() {

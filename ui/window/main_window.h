@@ -24,6 +24,7 @@ class DocumentPage;
 class DocumentTabs;
 class EditController;
 class ExportController;
+class FileThumbnails;
 class FitController;
 class JobDisplay;
 class LightController;
@@ -88,7 +89,9 @@ class MainWindow : public QMainWindow {
   void connectMessages(DocumentPage& page);
   void connectSaving(DocumentPage& page);
   void addRecentMenu();
+  void keepThumbnail(DocumentPage& page);
   void showCurrent();
+  void showRecentFiles();
   void showTitle();
   void refreshCommands();
   void restoreSettings();
@@ -104,6 +107,7 @@ class MainWindow : public QMainWindow {
   QPushButton* exportButton_;
   CommandRegistry* commands_;
   OpenController* opener_;
+  FileThumbnails* thumbnails_;
   DocumentTabs* tabs_;
   CloseGuard* closing_;
   SourceFinder* finder_;

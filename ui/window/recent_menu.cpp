@@ -3,6 +3,8 @@
 #include <utility>
 
 #include <QFileInfo>
+#include <QIcon>
+#include <QPixmap>
 
 namespace cutis {
 
@@ -23,11 +25,21 @@ void RecentMenu::fillNow() {
     QAction* row =
         addAction(tr("&%1  %2").arg(number++).arg(name), [this, file] { Q_EMIT openWanted(file); });
     row->setToolTip(file);
+    row->setData(file);
+    row->setIconVisibleInMenu(true);
   }
   if (files.isEmpty()) addAction(tr("Nothing was opened yet"))->setEnabled(false);
   addSeparator();
   addAction(tr("&Clear recent files"), this, &RecentMenu::clearWanted)
       ->setEnabled(!files.isEmpty());
+}
+
+void RecentMenu::showThumbnails(const std::function<QImage(const QString& path)>& thumbnailOf) {
+  for (QAction* row : actions()) {
+    const QString file = row->data().toString();
+    const QImage thumbnail = file.isEmpty() ? QImage() : thumbnailOf(file);
+    row->setIcon(thumbnail.isNull() ? QIcon() : QIcon(QPixmap::fromImage(thumbnail)));
+  }
 }
 
 }  // namespace cutis

@@ -118,6 +118,10 @@ void StartPage::setRecentFiles(const QStringList& paths) {
   recent_->setVisible(!paths.isEmpty());
 }
 
+void StartPage::showThumbnails(const std::function<QImage(const QString& path)>& thumbnailOf) {
+  recent_->showThumbnails(thumbnailOf);
+}
+
 void StartPage::showMessage(const QString& text, bool isError) {
   message_->setText(text);
   message_->setVisible(!text.isEmpty());

@@ -3,6 +3,9 @@
 // What stands in the window while nothing is open: the sample, the ways to open something, recent
 // files, and what went wrong with one. Interface thread only.
 
+#include <functional>
+
+#include <QImage>
 #include <QStringList>
 #include <QWidget>
 
@@ -21,6 +24,8 @@ class StartPage : public QWidget {
 
   // Absolute paths, newest first; without any the section is not shown.
   void setRecentFiles(const QStringList& paths);
+  // As RecentList::showThumbnails().
+  void showThumbnails(const std::function<QImage(const QString& path)>& thumbnailOf);
   // Below the place where files are dropped; an empty text takes it away.
   void showMessage(const QString& text, bool isError);
   // Files are held over the window, which is where they are dropped.

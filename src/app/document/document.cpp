@@ -64,9 +64,10 @@ Document::Document(Engine& engine, JobRunner& jobs, QObject* parent)
 }
 
 void Document::openSample() {
-  startOpening(tr("Sample face patch"), {}, [this, choice = usualFit_](const JobContext& context) {
-    return openedSource({}, choice, context);
-  });
+  startOpening(tr("Sample face patch"), {},
+               [this, choice = usualFit_](const JobContext& context, const PreviewSink*) {
+                 return openedSource({}, choice, context);
+               });
 }
 
 void Document::open(const std::filesystem::path& path, const OpenChoice& choice) {
@@ -78,7 +79,7 @@ void Document::open(const std::filesystem::path& path, const OpenChoice& choice)
   fit.exposure = choice.exposure;
   startOpening(
       name, path,
-      [this, source, fit](const JobContext& context) -> Result<Opened> {
+      [this, source, fit](const JobContext& context, const PreviewSink* preview) -> Result<Opened> {
         ProjectSource found = source;
         if (looksLikeCapture(source.path)) {
           found.kind = SourceKind::capture;
@@ -86,7 +87,7 @@ void Document::open(const std::filesystem::path& path, const OpenChoice& choice)
           found.kind = SourceKind::maps;
           return openedMaps(found, context);
         }
-        CUTIS_TRY(opened, openedSource(found, fit, context));
+        CUTIS_TRY(opened, openedSource(found, fit, context, preview));
         opened.maskBeside = unusedMaskBeside(opened.project.source);
         return opened;
       },
@@ -106,30 +107,31 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
   jobs_.cancel(opening_);
   Q_EMIT openingStarted();
   const bool showsPreview = !isOpen() && preview.has_value();
-  opening_ = jobs_.start(
-      tr("Open %1").arg(name),
-      [this, name, path, options = preview.value_or(SourceOptions()), showsPreview,
-       open = std::move(open)](const JobRunner::Handle& job) {
-        auto coarse = showsPreview ? previewSource(path, options, job.context) : std::nullopt;
-        if (coarse)
-          job.post([this, name, shown = *std::move(coarse)] { showPreview(name, shown); });
-        auto opened = open(contextOf(job));
-        if (opened.failed()) {
-          job.post([this, path, sentence = sentenceOf(opened.error())] {
-            if (!path.empty())
-              Q_EMIT openingFailed(QString::fromStdString(path.string()), sentence);
-            Q_EMIT failed(sentence);
-          });
-        } else if (opened) {
-          job.post([this, result = opened.value()] { takeOrReport(result); });
-        }
-      });
+  opening_ =
+      jobs_.start(tr("Open %1").arg(name),
+                  [this, name, path, options = preview.value_or(SourceOptions()), showsPreview,
+                   open = std::move(open)](const JobRunner::Handle& job) {
+                    const PreviewSink rows = previewSink(options, [&](SourcePreview seen) {
+                      job.post([this, name, shown = std::move(seen)] { showPreview(name, shown); });
+                    });
+                    const bool isSeen = showsPreview && showSource(path, rows, job.context);
+                    auto opened = open(contextOf(job), showsPreview && !isSeen ? &rows : nullptr);
+                    if (opened.failed()) {
+                      job.post([this, path, sentence = sentenceOf(opened.error())] {
+                        Q_EMIT openingFailed(QString::fromStdString(path.string()), sentence);
+                        Q_EMIT failed(sentence);
+                      });
+                    } else if (opened) {
+                      job.post([this, result = opened.value()] { takeOrReport(result); });
+                    }
+                  });
 }
 
 Result<Document::Opened> Document::openedSource(ProjectSource source, const FitChoice& choice,
-                                                const JobContext& context) {
-  CUTIS_TRY(read,
-            openSourceOf(source, choice, engine_, store_, context.child(0.0, 1.0, "reading")));
+                                                const JobContext& context,
+                                                const PreviewSink* preview) {
+  CUTIS_TRY(read, openSourceOf(source, choice, engine_, store_, context.child(0.0, 1.0, "reading"),
+                               preview));
   Opened opened;
   opened.name = QString::fromStdString(read.source->name);
   opened.project.source = std::move(source);

@@ -171,6 +171,8 @@ class Document : public QObject {
   // Nothing is open yet, and this is a first impression of what will be: opened() or previewEnded()
   // follows.
   void previewed(const cutis::SourcePreview& preview);
+  // More of it was read meanwhile.
+  void previewRefined(const cutis::SourcePreview& preview);
   // Nothing came of it: it could not be read, or was cancelled.
   void previewEnded();
   // What is said from now on is about what is being opened. It ends with opened() or with
@@ -223,7 +225,9 @@ class Document : public QObject {
     std::filesystem::path missing;
     std::filesystem::path other;
   };
-  using Opener = std::function<Result<Opened>(const JobContext& context)>;
+  // preview: who looks on; null: nobody.
+  using Opener =
+      std::function<Result<Opened>(const JobContext& context, const PreviewSink* preview)>;
 
   // path: empty for the sample. preview: how the file is read, where it can be seen coarsely first.
   void startOpening(const QString& name, const std::filesystem::path& path, Opener open,
@@ -235,7 +239,7 @@ class Document : public QObject {
   void sayWhatIsMasked();
   // On the thread of the job.
   Result<Opened> openedSource(ProjectSource source, const FitChoice& choice,
-                              const JobContext& context);
+                              const JobContext& context, const PreviewSink* preview = nullptr);
   Result<Opened> openedMaps(ProjectSource source, const JobContext& context);
   Result<Opened> openedProject(const Project& project, const std::filesystem::path& path,
                                const JobContext& context);

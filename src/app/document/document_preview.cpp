@@ -9,6 +9,10 @@
 namespace cutis {
 
 void Document::showPreview(const QString& name, const SourcePreview& preview) {
+  if (isPreviewed_) {
+    Q_EMIT previewRefined(preview);
+    return;
+  }
   name_ = name;
   isPreviewed_ = true;
   Q_EMIT previewed(preview);

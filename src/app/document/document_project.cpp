@@ -30,7 +30,7 @@ std::string textOf(const EditStack& edits) {
 
 void Document::openProject(const fs::path& path) {
   startOpening(textOf(path.filename()), path,
-               [this, path](const JobContext& context) -> Result<Opened> {
+               [this, path](const JobContext& context, const PreviewSink*) -> Result<Opened> {
                  removeLeftovers(path);
                  CUTIS_TRY(project, readProject(path, context.notice));
                  return openedProject(project, path, context);
@@ -68,8 +68,8 @@ Result<Document::Opened> Document::openedProject(const Project& project, const f
 
 void Document::openRelinked(const MissingSource& missing, const fs::path& found,
                             bool whateverItHolds) {
-  const auto open = [this, missing, found,
-                     whateverItHolds](const JobContext& context) -> Result<Opened> {
+  const auto open = [this, missing, found, whateverItHolds](const JobContext& context,
+                                                            const PreviewSink*) -> Result<Opened> {
     const std::string wanted = savedHash(missing.project, missing.file);
     if (!whateverItHolds && !wanted.empty()) {
       CUTIS_TRY(hash, hashFile(found, context));
@@ -93,7 +93,7 @@ void Document::openRelinked(const MissingSource& missing, const fs::path& found,
 
 void Document::recover(const Project& project) {
   startOpening(tr("what was not saved"), {},
-               [this, project](const JobContext& context) -> Result<Opened> {
+               [this, project](const JobContext& context, const PreviewSink*) -> Result<Opened> {
                  CUTIS_TRY(opened, openedProject(project, {}, context));
                  opened.isUnsaved = true;
                  return opened;
@@ -235,14 +235,16 @@ void Document::reopen(const OpenChoice& choice) {
 }
 
 void Document::readAgain(const ProjectSource& source, const FitChoice& choice) {
-  startOpening(
-      name_, {}, [this, source, choice, name = name_](const JobContext& context) -> Result<Opened> {
-        CUTIS_TRY(opened, source.kind == SourceKind::maps ? openedMaps(source, context)
-                                                          : openedSource(source, choice, context));
-        opened.name = name;
-        opened.isReload = true;
-        return std::move(opened);
-      });
+  startOpening(name_, {},
+               [this, source, choice, name = name_](const JobContext& context,
+                                                    const PreviewSink*) -> Result<Opened> {
+                 CUTIS_TRY(opened, source.kind == SourceKind::maps
+                                       ? openedMaps(source, context)
+                                       : openedSource(source, choice, context));
+                 opened.name = name;
+                 opened.isReload = true;
+                 return std::move(opened);
+               });
 }
 
 void Document::sayWhatIsMasked() {

@@ -34,7 +34,8 @@ std::string titleOf(const std::filesystem::path& path) {
 }
 
 Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions& options,
-                          const std::shared_ptr<TileStore>& store, const JobContext& context) {
+                          const std::shared_ptr<TileStore>& store, const JobContext& context,
+                          const PreviewSink* preview) {
   if (!options.lights.empty()) {
     return usageError(kLightsChoice, "a single image has one light; name a capture");
   }
@@ -48,8 +49,8 @@ Result<Source> openAlbedo(const std::filesystem::path& path, const SourceOptions
   }
   CUTIS_TRY(
       rig, loadRig(options.rig.empty() ? kAlbedoRig : options.rig, {}, kRigChoice, context.notice));
-  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask, options.layer}, rig, store,
-                               context));
+  CUTIS_TRY(albedo, readAlbedo(path, {options.colorSpace, options.mask, options.layer, preview},
+                               rig, store, context));
   Source source;
   source.name = titleOf(path);
   source.measurements = std::move(albedo.measurements);
@@ -106,9 +107,9 @@ MaskedPicture maskedPicture(const Source& source, const std::string& name) {
 
 Result<Source> openSource(const std::filesystem::path& path, const SourceOptions& options,
                           const SkinModel& model, const std::shared_ptr<TileStore>& store,
-                          const JobContext& context) {
+                          const JobContext& context, const PreviewSink* preview) {
   if (looksLikeCapture(path)) return openCapture(path, options, model, store, context);
-  return openAlbedo(path, options, store, context);
+  return openAlbedo(path, options, store, context, preview);
 }
 
 Result<Source> openSample(const SkinModel& model, const std::shared_ptr<TileStore>& store,

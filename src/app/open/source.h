@@ -57,10 +57,11 @@ struct Source {
 // What a mask for this source has to fit, under a name for sentences.
 MaskedPicture maskedPicture(const Source& source, const std::string& name);
 
-// A capture's folder or capture.json, or an image. Errors are sentences about the file.
+// A capture's folder or capture.json, or an image. Errors are sentences about the file. preview:
+// who sees an image while it is read; null: nobody.
 Result<Source> openSource(const std::filesystem::path& path, const SourceOptions& options,
                           const SkinModel& model, const std::shared_ptr<TileStore>& store,
-                          const JobContext& context);
+                          const JobContext& context, const PreviewSink* preview = nullptr);
 
 // The embedded sample: simulated skin, photographed through the rig `monitor`. About 0.3 s.
 Result<Source> openSample(const SkinModel& model, const std::shared_ptr<TileStore>& store,

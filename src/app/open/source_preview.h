@@ -3,11 +3,12 @@
 // What can be shown of a source long before it is read.
 
 #include <filesystem>
-#include <optional>
+#include <functional>
 
 #include "core/base/job_context.h"
 #include "core/render/skin_samples.h"
 #include "src/app/open/source.h"
+#include "src/images/preview/image_preview.h"
 
 namespace cutis {
 
@@ -15,13 +16,18 @@ struct SourcePreview {
   // Of the whole picture, in pixels.
   int width = 0;
   int height = 0;
-  // All of it, in the colours of photographPart(), a sample for each step × step pixels.
+  // All of it, in the colours of photographPart(), a sample for each step × step pixels; present
+  // where it was read.
   int step = 1;
   PictureBuffer picture;
 };
 
-// Nothing for captures and where previewImage() has nothing.
-std::optional<SourcePreview> previewSource(const std::filesystem::path& path,
-                                           const SourceOptions& options, const JobContext& context);
+// For openSource() with these options.
+PreviewSink previewSink(const SourceOptions& options,
+                        std::function<void(SourcePreview preview)> show);
+
+// Shows what previewImage() has of it, captures excepted. Whether there was something.
+bool showSource(const std::filesystem::path& path, const PreviewSink& sink,
+                const JobContext& context);
 
 }  // namespace cutis

@@ -54,9 +54,10 @@ class MapsKeeper {
 };
 
 Result<Source> readSource(const ProjectSource& source, const SkinModel& model, Engine& engine,
-                          const std::shared_ptr<TileStore>& store, const JobContext& context) {
+                          const std::shared_ptr<TileStore>& store, const JobContext& context,
+                          const PreviewSink* preview) {
   if (source.kind == SourceKind::sample) return openSampleFor(model, engine, store, context);
-  return openSource(source.path, source.options, model, store, context);
+  return openSource(source.path, source.options, model, store, context, preview);
 }
 
 std::string titleOf(const Project& project) {
@@ -92,13 +93,13 @@ bool checkUnchanged(const std::vector<SourceFile>& saved, const std::vector<Sour
 
 Result<OpenedSource> openSourceOf(ProjectSource& source, const FitChoice& fit, Engine& engine,
                                   const std::shared_ptr<TileStore>& store,
-                                  const JobContext& context) {
+                                  const JobContext& context, const PreviewSink* preview) {
   CUTIS_TRY(model, engine.model(fit.profile, {}));
   source.options.surface = surfaceOf(fit, model->profile());
   source.files.clear();
   if (source.kind != SourceKind::sample)
     source.files = listSourceFiles(source.path, source.options);
-  CUTIS_TRY(read, readSource(source, *model, engine, store, context));
+  CUTIS_TRY(read, readSource(source, *model, engine, store, context, preview));
   CUTIS_CHECK(addHashes(source.path, read.references, source.files, context.child(1.0, 1.0)));
   const auto opened = std::make_shared<const Source>(std::move(read));
   return OpenedSource{model, atChosenExposure(opened, fit), {}};

@@ -22,10 +22,10 @@ struct OpenedSource {
 };
 
 // Reads a source, whose files then hold the hashes and times of now, for a fit as chosen.
-// Precondition here and below: a source of another kind than maps.
+// Precondition here and below: a source of another kind than maps. preview: as for openSource().
 Result<OpenedSource> openSourceOf(ProjectSource& source, const FitChoice& fit, Engine& engine,
                                   const std::shared_ptr<TileStore>& store,
-                                  const JobContext& context);
+                                  const JobContext& context, const PreviewSink* preview = nullptr);
 
 // A picture that by its name is the mask of a source which has none and is none itself; empty if
 // there is no such picture beside it.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/preview
 
 // What of an open picture its first impression is made of.
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/preview
 
 // Smaller versions of a picture beside it in its file: levels of an OpenEXR file, pages of a TIFF
 // file that say they are such.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to src/images/preview
 
 // Some of a picture's rows, evenly spread over it, where a file gives them without those before.
 
