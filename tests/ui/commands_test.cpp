@@ -33,10 +33,11 @@ namespace {
 
 constexpr int kCommandPatienceMs = 120000;
 // Of another document, or of none; see DocumentTabsTest. Those of files are not for the sample; see
-// MaskWindowTest.
+// MaskWindowTest; nor is there anything to cancel or to fit again.
 const QStringList kLeavingCommands = {
     "file.quit",        "file.close",      "view.nextDocument", "view.previousDocument",
-    "file.interpretAs", "file.chooseMask", "file.removeMask"};
+    "file.interpretAs", "file.chooseMask", "file.removeMask",   "edit.cancelJob",
+    "fit.again"};
 
 class CommandsTest : public test::UiTest {
   Q_OBJECT

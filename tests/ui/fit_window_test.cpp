@@ -185,7 +185,7 @@ class FitWindowTest : public test::UiTest {
   void trainingIsCancelledAtOnce() {
     QFETCH(QString, how);
     window_->training().setPlan(usualTraining);
-    QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier);
+    QTest::keyClick(window_.get(), Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
     TrainingDialog& dialog = window_->training().dialog();
     QVERIFY(dialog.isVisible());
     QTRY_VERIFY(dialog.findChild<QProgressBar*>()->value() > 0);

@@ -118,7 +118,9 @@ Result<ViewSamples> ViewSamples::thinned(int n, const JobContext& context) const
   kept.table_ = table_;
   kept.bands_.resize(bands_.size());
   CUTIS_CHECK(parallelFor(bands_.size(), context, [&](std::size_t i) -> Status {
-    kept.bands_[i] = {cutis::thinned(bands_[i].skin, n), cutis::thinned(bands_[i].photograph, n)};
+    const Band& band = bands_[i];
+    if (skin_ != nullptr) kept.bands_[i].skin = cutis::thinned(band.skin, n);
+    kept.bands_[i].photograph = cutis::thinned(band.photograph, n);
     return {};
   }));
   return kept;

@@ -55,7 +55,7 @@ class ViewSamples {
 
  private:
   struct Band {
-    SkinSamples skin;
+    SkinSamples skin;  // of the photograph's view: none
     PictureBuffer photograph;
   };
 

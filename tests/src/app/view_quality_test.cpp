@@ -147,6 +147,17 @@ class ViewQualityTest : public QObject {
     QVERIFY(parts_[2]->pixels.channels == sharp.value().pixels.channels);
   }
 
+  // The photograph has no skin to thin.
+  void aPhotographIsShownWhileAControlMoves() {
+    ViewRequest photograph = view_quality::kAlbedo;
+    photograph.view = ViewKind::photograph;
+    watch_->want(photograph);
+    QTRY_COMPARE(parts_.size(), 2);
+    document_.apply(view_quality::flush(1.6, true));
+    QTRY_VERIFY_WITH_TIMEOUT(server_.isIdle(), view_quality::kPatienceMs);
+    QCOMPARE(parts_.back()->pixels.channels, parts_[1]->pixels.channels);
+  }
+
   // A large picture would otherwise be fetched from disk for each thumbnail.
   void viewsOfOnePartReadTheMapsOnce() {
     const auto load = [this](ViewKind view, int step, const std::shared_ptr<const ViewSkin>& read) {
