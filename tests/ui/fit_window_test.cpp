@@ -19,6 +19,7 @@
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
 #include "ui/dialogs/training_dialog.h"
+#include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
@@ -110,14 +111,26 @@ class FitWindowTest : public test::UiTest {
     waitUntilIdle();
     QVERIFY(!window_->document().isFitted());
     QVERIFY(fit->isVisible());
-    if (!window_->document().hasEstimate())
+    if (!window_->document().hasEstimate()) {
       QCOMPARE(window_->viewport().notice(), QString("Not fitted yet"));
+    } else {
+      const ColorBarSpec bar = *window_->viewport().colorBar();
+      QCOMPARE(bar.state, bar.isKnown ? QString("Incomplete") : QString("Not fitted yet"));
+    }
     QTest::mouseClick(fit, Qt::LeftButton);
     QVERIFY(!fit->isVisible());
     QCOMPARE(window_->commands().run("fit.again"), QString("The fit is under way"));
     waitUntilIdle();
     QVERIFY(window_->document().isFitted());
     QVERIFY(window_->viewport().notice().isEmpty());
+    QVERIFY(window_->viewport().colorBar()->isKnown);
+    QCOMPARE(window_->viewport().colorBar()->state, QString());
+    window_->edits().setFactor(kMelanin, 1.5, false);
+    QCOMPARE(window_->viewport().colorBar()->state, QString("Edited"));
+    window_->views().show(ViewKind::carotene);
+    waitUntilIdle();
+    QCOMPARE(window_->viewport().colorBar()->state, QString());
+    window_->document().undo();
     window_->views().show(ViewKind::photograph);
     waitUntilIdle();
   }

@@ -1,6 +1,7 @@
 #include "ui/docks/light_controller.h"
 
 #include <QSignalSpy>
+#include <QToolButton>
 
 #include "src/app/document/view_server.h"
 #include "tests/support/test_registry.h"
@@ -50,7 +51,24 @@ class LightControllerTest : public test::UiTest {
     QCOMPARE(changed.count(), 2);
   }
 
+  // By the segments of the panel.
+  void leavingABandGoesBackToTheViewBefore() {
+    views_.show(ViewKind::melanin);
+    press("Ultraviolet, 300–400 nm");
+    QCOMPARE(views_.current(), ViewKind::ultraviolet);
+    press("Near infrared, 700–1000 nm");
+    QCOMPARE(views_.current(), ViewKind::nearInfrared);
+    press("Visible light: colour under a light");
+    QCOMPARE(views_.current(), ViewKind::melanin);
+  }
+
  private:
+  void press(const QString& name) {
+    for (QToolButton* button : panel_.findChildren<QToolButton*>()) {
+      if (button->accessibleName() == name) return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    QFAIL(qPrintable(name));
+  }
   void setUp() override {
     if (!document_.isOpen()) {
       panel_.setLights({{"Lights", {"D65", "A"}}});

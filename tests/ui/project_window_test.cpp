@@ -178,6 +178,23 @@ class ProjectWindowTest : public test::UiTest {
     QVERIFY(window_->isWindowModified());
   }
 
+  // While the window is used.
+  void aChangeIsNoticedWithoutLeavingTheWindow() {
+    paint("watched.png", QColor(190, 140, 120));
+    open("watched.png");
+    activate();
+    paint("watched.png", QColor(180, 130, 110));
+    NoticeBar& bar = window_->tabs().current().notice();
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible(), 8000);
+    press(bar, "Keep");
+    fs::remove(folder_ / "watched.png");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->progress().message().contains("watched.png is no longer"),
+                             12000);
+    window_->progress().clearMessages();
+    QTest::qWait(5000);
+    QVERIFY2(window_->progress().message().isEmpty(), "once");
+  }
+
   void aMissingSourceIsAskedFor() {
     saveProjectOfOne();
     restart();
@@ -186,6 +203,8 @@ class ProjectWindowTest : public test::UiTest {
     window_->opener().open(file("one.cutis"));
     QTRY_VERIFY_WITH_TIMEOUT(question() != nullptr, kProjectPatienceMs);
     QVERIFY(question()->text().contains("one.cutis needs one.png"));
+    QVERIFY(question()->informativeText().startsWith("It was in the project's folder."));
+    QVERIFY(question()->windowTitle().contains("needs one.png"));
     chooseInDialog(file("moved/one.png"));
     answer("Choose the file…");
     QTRY_VERIFY_WITH_TIMEOUT(window_->document().isOpen(), kProjectPatienceMs);
@@ -219,7 +238,7 @@ class ProjectWindowTest : public test::UiTest {
     restart();
     window_->keepJournals(folder_ / "journals");
     QVERIFY(question() != nullptr);
-    QVERIFY(question()->informativeText().contains("one.png"));
+    QVERIFY(question()->informativeText().contains("one.png (today "));
     answer("Bring back");
     QTRY_VERIFY_WITH_TIMEOUT(window_->document().isOpen(), kProjectPatienceMs);
     waitUntilIdle();
@@ -259,6 +278,26 @@ class ProjectWindowTest : public test::UiTest {
     QVERIFY(question() == nullptr);
   }
 
+  // And is seen when it is back.
+  void editsOfAProjectAreOfferedByItsName() {
+    saveProjectOfOne();
+    window_->keepJournals(folder_ / "journals");
+    window_->views().show(ViewKind::photograph);
+    edit(2.5);
+    restart();
+    window_->keepJournals(folder_ / "journals");
+    QVERIFY(question() != nullptr);
+    QVERIFY2(question()->informativeText().contains("one.cutis (today "),
+             qPrintable(question()->informativeText()));
+    answer("Bring back");
+    QTRY_VERIFY_WITH_TIMEOUT(window_->document().isOpen(), kProjectPatienceMs);
+    waitUntilIdle();
+    QVERIFY(window_->views().current() != ViewKind::photograph);
+    window_->commands().run("file.close");
+    answer("Discard");
+    QTRY_VERIFY(!window_->document().isOpen());
+  }
+
   // What closes without a question, as a system that shuts down does, has its edits in the journal.
   void whatEndsWithoutAQuestionIsOffered() {
     window_->keepJournals(folder_ / "journals");
@@ -284,6 +323,15 @@ class ProjectWindowTest : public test::UiTest {
     QTRY_VERIFY(!recent->actions()[0]->icon().isNull());
     clearPrivateData();
     QVERIFY(!fs::exists(kept));
+  }
+
+  void clearingPrivateDataIsNotTheUsualAnswer() {
+    window_->commands().run("file.clearPrivateData");
+    QVERIFY(question() != nullptr);
+    QCOMPARE(question()->defaultButton()->text(), QString("Cancel"));
+    QVERIFY(question()->informativeText().contains("nsaved edits"));
+    QTest::keyClick(question(), Qt::Key_Return);
+    QTRY_VERIFY(question() == nullptr);
   }
 
   void recentFilesAreAtHandAndForgotten() {

@@ -47,6 +47,17 @@ class ViewStripTest : public test::UiTest {
     QCOMPARE(chosen.last()[0].toString(), QString("uva"));
   }
 
+  void theRightButtonChoosesNothing() {
+    ViewStrip strip;
+    strip.setViews(kViews);
+    strip.resize(132, 500);
+    strip.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&strip));
+    QTest::mouseClick(strip.viewport(), Qt::RightButton, {},
+                      strip.visualItemRect(strip.item(1)).center());
+    QCOMPARE(strip.current(), QString("photo"));
+  }
+
   void aThumbnailTakesThePlaceOfThePlate() {
     ViewStrip strip;
     strip.setViews(kViews);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include <QPainter>
 #include <QSignalSpy>
 #include <QWheelEvent>
 #include <QtTest>
@@ -10,6 +11,7 @@
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "ui/view/color_bar.h"
 
 namespace cutis {
 namespace {
@@ -214,6 +216,30 @@ class ViewportTest : public test::UiTest {
     const QImage with = view_->grab().toImage();
     QVERIFY(without.pixel(40, 580) != with.pixel(40, 580));
     QCOMPARE(without.pixel(600, 100), with.pixel(600, 100));
+  }
+
+  // In a window of the smallest size.
+  void theColourBarLeavesThePictureInSight_data() {
+    QTest::addColumn<QSize>("size");
+    for (const QSize size : {QSize(160, 120), QSize(160, 380), QSize(300, 240), QSize(400, 380)})
+      QTest::addRow("%d x %d", size.width(), size.height()) << size;
+  }
+  void theColourBarLeavesThePictureInSight() {
+    QFETCH(QSize, size);
+    QImage canvas(size, QImage::Format_RGB32);
+    QPainter painter(&canvas);
+    const QRectF covered =
+        drawColorBar(painter, view_->font(), QPointF(0, size.height()), QSizeF(size),
+                     ColorBarSpec{"Epidermal haemoglobin", "volume fraction", 0, 0.25});
+    QVERIFY(covered.width() * covered.height() <= 0.25 * size.width() * size.height());
+    QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(covered) || covered.isEmpty());
+  }
+
+  void aHiddenPictureIsNotPointedAt() {
+    QSignalSpy left(view_.get(), &Viewport::cursorLeft);
+    QTest::mouseMove(view_.get(), view_->rect().center());
+    view_->hide();
+    QCOMPARE(left.count(), 1);
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "ui/commands/command_registry.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -62,12 +63,23 @@ void CommandRegistry::addAction(const CommandDescription& command) {
   action->setObjectName(command.id);
   action->setShortcuts(command.shortcuts);
   action->setCheckable(command.isOn != nullptr);
+  if (!command.exclusiveGroup.isEmpty()) groupOf(command.exclusiveGroup).addAction(action);
   // Menus of other systems would guess a place from the text: "About …", "Quit".
   action->setMenuRole(QAction::NoRole);
   window_.addAction(action);
   connect(action, &QAction::triggered, this, [this, id = command.id] { run(id); });
   entries_[command.id] = {commands_.size() - 1, action};
   refresh(command, *action);
+}
+
+// One may be on, and none is while nothing is open.
+QActionGroup& CommandRegistry::groupOf(const QString& name) {
+  QActionGroup*& group = groups_[name];
+  if (group == nullptr) {
+    group = new QActionGroup(this);
+    group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+  }
+  return *group;
 }
 
 QString CommandRegistry::placeOf(const CommandDescription& command) {

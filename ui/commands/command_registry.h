@@ -11,6 +11,7 @@
 #include "ui/commands/command_description.h"
 
 class QAction;
+class QActionGroup;
 class QMenuBar;
 
 namespace cutis {
@@ -52,11 +53,13 @@ class CommandRegistry : public QObject {
   };
 
   void addAction(const CommandDescription& command);
+  QActionGroup& groupOf(const QString& name);
   static void refresh(const CommandDescription& command, QAction& action);
 
   QWidget& window_;
   std::vector<CommandDescription> commands_;
   std::map<QString, Entry> entries_;  // by id
+  std::map<QString, QActionGroup*> groups_;
 };
 
 }  // namespace cutis

@@ -26,7 +26,7 @@ class CaptureController : public QObject {
   CaptureController(JobRunner& jobs, ProgressStrip& progress, QWidget* window);
 
   // The photographs of a folder without capture.json, or the files themselves, if they may be a
-  // capture by their names; else none.
+  // capture by names and headers; else none. On any thread.
   static Files photographsOf(const Files& opened);
   // Looks at them in the background. If they show one scene, or the user says that they do, the
   // assistant asks; otherwise each is opened by itself.

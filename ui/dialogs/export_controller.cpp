@@ -14,6 +14,12 @@ namespace {
 
 constexpr std::size_t kMemoryForExport = std::size_t{1} << 30;
 
+// Notes name the file; a sentence that has named it goes on without.
+QString withoutPlace(const QString& note, const QString& path) {
+  const QString place = path + ": ";
+  return note.startsWith(place) ? note.mid(place.size()) : note;
+}
+
 }  // namespace
 
 ExportController::ExportController(Document& document, Engine& engine, JobRunner& jobs,
@@ -70,7 +76,7 @@ void ExportController::write(const QString& path, const std::function<Result<Exp
     QString sentence = failed ? QString::fromStdString(outcome.status.error().text())
                               : tr("Written: %1").arg(path);
     for (const std::string& note : outcome.notes)
-      sentence += "; " + QString::fromStdString(note);
+      sentence += "; " + withoutPlace(QString::fromStdString(note), path);
     const bool isWorthKeeping = failed || !outcome.notes.empty();
     job.post([this, sentence, failed, name, isWorthKeeping] {
       if (!failed) ++writtenCount_;
@@ -99,15 +105,20 @@ void ExportController::stop() {
 
 void ExportController::choose() {
   const QString file =
-      chooseFileToWrite(window_, tr("Export edited albedo"),
-                        besideSource(document_, "edited_albedo.exr"), writableImageFilters());
+      choosePlace(tr("Export edited albedo"), "edited_albedo.exr", writableImageFilters());
   if (!file.isEmpty()) exportAlbedo(file);
 }
 
 void ExportController::chooseMaps() {
-  const QString file = chooseFileToWrite(
-      window_, tr("Save maps"), besideSource(document_, "maps.exr"), tr("OpenEXR (*.exr)"));
+  const QString file = choosePlace(tr("Save maps"), "maps.exr", tr("OpenEXR (*.exr)"));
   if (!file.isEmpty()) exportMaps(file);
+}
+
+QString ExportController::choosePlace(const QString& title, const QString& what,
+                                      const QString& filters) {
+  return chooseFileToWrite(
+      window_, title, besideSourceNamedAfter(document_, what), filters,
+      [this](const QString& path) { return objectionToWriting(document_, path); });
 }
 
 }  // namespace cutis

@@ -48,6 +48,8 @@ class ExportController : public QObject {
   void noticed(const QString& sentence, bool isError);
 
  private:
+  // By a dialog; empty if the user cancels. what: "maps.exr"
+  QString choosePlace(const QString& title, const QString& what, const QString& filters);
   // what: made in the background.
   void write(const QString& path, const std::function<Result<Exported>()>& what);
 

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/dialogs
+#pragma once
 
 // What file dialogs offer of src/images/codec/image_formats.h, in Qt's notation.
 

@@ -63,13 +63,23 @@ void OpenController::openAll(const QStringList& paths) {
   CaptureController::Files files;
   for (const QString& path : paths)
     files.emplace_back(QFileInfo(path).absoluteFilePath().toStdString());
-  leaveOutMasks(files);
-  const CaptureController::Files photographs = CaptureController::photographsOf(files);
-  if (photographs.size() > 1) {
-    // A folder is opened as a whole.
-    captures_->look(photographs, files.size() == 1);
+  if (files.size() == 1 && !QFileInfo(paths.front()).isDir()) {
+    Q_EMIT openWanted(files.front());
     return;
   }
+  // Whether they may be a capture stands in their headers, and disks are slow.
+  jobs_.start(tr("Look at %1 files").arg(files.size()),
+              [this, files](const JobRunner::Handle& job) mutable {
+                leaveOutMasks(files);
+                const auto photographs = CaptureController::photographsOf(files);
+                job.post([this, files, photographs] { openOrAsk(files, photographs); });
+              });
+}
+
+void OpenController::openOrAsk(const std::vector<std::filesystem::path>& files,
+                               const std::vector<std::filesystem::path>& photographs) {
+  // A folder is opened as a whole.
+  if (photographs.size() > 1) return captures_->look(photographs, files.size() == 1);
   for (const std::filesystem::path& file : files)
     Q_EMIT openWanted(file);
 }

@@ -3,6 +3,7 @@
 // Asks what is to be opened, and remembers what was. Interface thread only.
 
 #include <filesystem>
+#include <vector>
 
 #include <QObject>
 #include <QStringList>
@@ -58,6 +59,9 @@ class OpenController : public QObject {
  private:
   // Empty if the user cancels.
   QString chooseFile(const QString& title, const QString& filter);
+  // photographs: those of the files that may be one capture; none if they cannot be.
+  void openOrAsk(const std::vector<std::filesystem::path>& files,
+                 const std::vector<std::filesystem::path>& photographs);
   void ask(const QString& path, const ImageInspection& image, const QString& reason);
 
   JobRunner& jobs_;

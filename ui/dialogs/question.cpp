@@ -6,7 +6,7 @@ namespace cutis {
 
 QMessageBox* askQuestion(QWidget& window, const QString& text, const QString& more,
                          const std::vector<Answer>& answers, EscapeAnswer escape) {
-  auto* box = new QMessageBox(QMessageBox::Question, QObject::tr("Cutis"), text,
+  auto* box = new QMessageBox(QMessageBox::Question, QObject::tr("%1 — Cutis").arg(text), text,
                               QMessageBox::NoButton, &window);
   box->setInformativeText(more);
   box->setAttribute(Qt::WA_DeleteOnClose);

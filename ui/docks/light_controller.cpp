@@ -45,6 +45,9 @@ void LightController::attach(LightPanel& panel) {
 }
 
 void LightController::setLight(const LightChoice& light) {
+  LightChoice sameLight = light_;
+  sameLight.kind = light.kind;
+  const bool choosesLight = light != sameLight;
   if (light != light_) {
     light_ = light;
     Q_EMIT changed(light_);
@@ -56,11 +59,14 @@ void LightController::setLight(const LightChoice& light) {
     picture.adaptation = light.adaptation;
     server_.setPicture(picture);
   }
-  views_.show(viewOf(light.kind));
+  // Whoever leaves a band without choosing a light goes back to what was seen before it.
+  const bool leavesBand = kindOf(views_.current()) != Kind::colour && light.kind == Kind::colour;
+  views_.show(leavesBand && !choosesLight ? beforeBand_ : viewOf(light.kind));
 }
 
 void LightController::followView() {
   const Kind kind = kindOf(views_.current());
+  if (kind == Kind::colour) beforeBand_ = views_.current();
   if (kind == light_.kind) return;
   light_.kind = kind;
   Q_EMIT changed(light_);

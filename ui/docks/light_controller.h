@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include "src/app/document/view_part.h"
 #include "ui/docks/light_choice.h"
 
 namespace cutis {
@@ -24,7 +25,8 @@ class LightController : public QObject {
   void attach(LightPanel& panel);
 
   const LightChoice& light() const { return light_; }
-  // Shows the skin under the light, or the view of the band.
+  // Shows the skin under the light, or the view of the band. From a band back to colour with the
+  // light as it was, the view that was shown before it.
   void setLight(const LightChoice& light);
 
  Q_SIGNALS:
@@ -37,6 +39,7 @@ class LightController : public QObject {
   ViewServer& server_;
   ViewController& views_;
   LightChoice light_;
+  ViewKind beforeBand_ = ViewKind::skin;  // the last view that is none of a band
 };
 
 }  // namespace cutis

@@ -1,7 +1,12 @@
 #include "ui/docks/spectrum_controller.h"
 
+#include <utility>
+
+#include <QFontDatabase>
+#include <QFontMetrics>
 #include <QVector>
 
+#include "ui/docks/pixel_readout.h"
 #include "ui/plot/spectrum_plot.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"
@@ -9,19 +14,11 @@
 namespace cutis {
 namespace {
 
+// Of the strip; the rest is left to jobs and messages.
+constexpr double kLargestShare = 0.6;
+
 QVector<double> toVector(const Spectrum& spectrum) {
   return QVector<double>(spectrum.data(), spectrum.data() + spectrum.size());
-}
-
-QString readoutOf(int x, int y, const ParameterVector& parameters) {
-  QString text = QString("x %1  y %2").arg(x).arg(y);
-  for (const Parameter parameter : kParameters) {
-    const auto symbol = parameterSymbol(parameter);
-    text += QString("   %1 %2")
-                .arg(QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size())))
-                .arg(parameters[parameter], 0, 'g', 3);
-  }
-  return text;
 }
 
 }  // namespace
@@ -39,17 +36,19 @@ SpectrumController::SpectrumController(Document& document, Viewport& viewport, S
 
 void SpectrumController::pointAt(int x, int y) {
   pixel_ = QPoint(x, y);
+  isPointedAt_ = true;
   refresh();
 }
 
+// The strip is that of all documents: one that is not pointed at leaves it alone.
 void SpectrumController::leave() {
-  progress_.setReadout({});
+  if (std::exchange(isPointedAt_, false)) progress_.setReadout({});
 }
 
 void SpectrumController::forget() {
   pixel_.reset();
   plot_.clear();
-  progress_.setReadout({});
+  leave();
 }
 
 void SpectrumController::setSeen(bool seen) {
@@ -60,11 +59,15 @@ void SpectrumController::setSeen(bool seen) {
 
 void SpectrumController::refresh() {
   if (!pixel_) return;
-  const int x = pixel_->x(), y = pixel_->y();
-  const auto parameters = document_.editedParametersAt(x, y);
-  progress_.setReadout(parameters ? readoutOf(x, y, *parameters)
-                                  : tr("x %1  y %2   no skin here").arg(x).arg(y));
-  if (seen_) plotSpectra(x, y);
+  if (isPointedAt_) showReadout(*pixel_);
+  if (seen_) plotSpectra(pixel_->x(), pixel_->y());
+}
+
+void SpectrumController::showReadout(const QPoint& pixel) {
+  const QString text = pixelReadout(document_, pixel);
+  const QFontMetrics font(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  const int room = static_cast<int>(kLargestShare * progress_.width());
+  progress_.setReadout(font.elidedText(text, Qt::ElideRight, room));
 }
 
 void SpectrumController::plotSpectra(int x, int y) {

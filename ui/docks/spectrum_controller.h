@@ -1,7 +1,8 @@
 #pragma once
 
 // Joins the cursor to the spectrum plot and the read-out: shows the spectra of the pixel under it,
-// computed exactly, and keeps the last one when it leaves. Interface thread only.
+// computed exactly. The plot keeps the last one when the cursor leaves, the read-out does not.
+// Interface thread only.
 
 #include <optional>
 
@@ -31,6 +32,7 @@ class SpectrumController : public QObject {
   void pointAt(int x, int y);
   void leave();
   void refresh();
+  void showReadout(const QPoint& pixel);
   void plotSpectra(int x, int y);
   void forget();
 
@@ -39,6 +41,7 @@ class SpectrumController : public QObject {
   ProgressStrip& progress_;
   bool seen_ = false;
   std::optional<QPoint> pixel_;  // of the spectrum that is shown
+  bool isPointedAt_ = false;     // the cursor is still on it
 };
 
 }  // namespace cutis

@@ -1,5 +1,12 @@
 #include "ui/documents/document_tabs.h"
 
+#include <utility>
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPointer>
 #include <QStackedWidget>
@@ -25,6 +32,21 @@ class ClosableTabBar : public QTabBar {
     QTabBar::mouseReleaseEvent(event);
   }
 };
+
+// The project's, else what it was made from; empty for the sample.
+QString placeOf(const Document& document) {
+  std::filesystem::path place = document.projectPath();
+  if (place.empty() && !document.sourceFiles().empty()) place = document.sourceFiles().front();
+  return QString::fromStdString(place.string());
+}
+
+// A button of the mouse is held, or something is being typed.
+bool handsAreBusy() {
+  const QWidget* focus = QApplication::focusWidget();
+  const bool types =
+      qobject_cast<const QLineEdit*>(focus) || qobject_cast<const QAbstractSpinBox*>(focus);
+  return QGuiApplication::mouseButtons() != Qt::NoButton || types;
+}
 
 }  // namespace
 
@@ -100,7 +122,8 @@ void DocumentTabs::open(const std::filesystem::path& path) {
   for (DocumentPage* page : pages()) {
     if (!page->isFor(path)) continue;
     // What is still being read will come by itself.
-    if (tabOf(*page) >= 0) present(*page);
+    if (tabOf(*page) >= 0 && !isBatchBegun_) present(*page);
+    beginBatch();
     return;
   }
   openAs(path, {});
@@ -110,8 +133,17 @@ void DocumentTabs::openAs(const std::filesystem::path& path, const OpenChoice& c
   pageToOpenIn().open(path, choice);
 }
 
+// What is asked for in one turn of the event loop was dropped or named together.
+void DocumentTabs::beginBatch() {
+  if (std::exchange(isBatchBegun_, true)) return;
+  QTimer::singleShot(0, this, [this] { isBatchBegun_ = false; });
+}
+
 DocumentPage& DocumentTabs::pageToOpenIn() {
-  return current().isBlank() ? current() : makePage();
+  DocumentPage& page = current().isBlank() ? current() : makePage();
+  if (isBatchBegun_) behind_.insert(&page);
+  beginBatch();
+  return page;
 }
 
 int DocumentTabs::tabOf(const DocumentPage& page) const {
@@ -126,35 +158,60 @@ DocumentPage& DocumentTabs::pageOf(int tab) const {
 }
 
 void DocumentTabs::takeOpened(DocumentPage& page) {
-  if (tabOf(page) < 0) {
-    // The data come before the signal that looks for them.
-    const QSignalBlocker silent(bar_);
-    const int tab = bar_->addTab({});
-    bar_->setTabData(tab, QVariant::fromValue<QWidget*>(&page));
-    auto* button = new CrossButton({}, tr("Close"), bar_);
-    connect(button, &QToolButton::clicked, this, [this, &page] { Q_EMIT closeWanted(page); });
-    bar_->setTabButton(tab, QTabBar::RightSide, button);
-  }
+  const bool isNew = tabOf(page) < 0;
+  if (isNew) addTab(page);
   refreshTitles();
-  present(page);
-  Q_EMIT currentChanged();
+  const bool staysBehind = behind_.erase(&page) > 0;
+  if (isNew && !staysBehind) {
+    const Document& inFront = current().document();
+    const bool takesNothingAway =
+        &page == &current() || !(inFront.isOpen() || inFront.isPreviewed());
+    if (takesNothingAway || !handsAreBusy()) {
+      present(page);
+    } else {
+      Q_EMIT openedBehind(page);
+    }
+  }
+  if (&page == &current()) Q_EMIT currentChanged();
   QTimer::singleShot(0, this, &DocumentTabs::discardBlankPages);
+}
+
+// In the order in which they were asked for, however long each takes to be read.
+void DocumentTabs::addTab(DocumentPage& page) {
+  const int order = stack_->indexOf(&page);
+  int place = 0;
+  while (place < bar_->count() && stack_->indexOf(&pageOf(place)) < order)
+    ++place;
+  // The data come before the signal that looks for them.
+  const QSignalBlocker silent(bar_);
+  const int tab = bar_->insertTab(place, QString());
+  bar_->setTabData(tab, QVariant::fromValue<QWidget*>(&page));
+  auto* button = new CrossButton({}, tr("Close"), bar_);
+  connect(button, &QToolButton::clicked, this, [this, &page] { Q_EMIT closeWanted(page); });
+  bar_->setTabButton(tab, QTabBar::RightSide, button);
+}
+
+// Of documents of one name the folders tell which is which.
+QString DocumentTabs::titleOf(const Document& document) const {
+  const QString folder = QFileInfo(placeOf(document)).dir().dirName();
+  int namesakes = 0;
+  for (int tab = 0; tab < bar_->count(); ++tab)
+    namesakes += pageOf(tab).document().name() == document.name() ? 1 : 0;
+  const bool isAmbiguous = namesakes > 1 && !placeOf(document).isEmpty() && !folder.isEmpty();
+  return isAmbiguous ? tr("%1 (%2)").arg(document.name(), folder) : document.name();
 }
 
 void DocumentTabs::refreshTitles() {
   for (int tab = 0; tab < bar_->count(); ++tab) {
     const Document& document = pageOf(tab).document();
     // A single & would be taken as a mnemonic.
-    const QString text = document.name().replace("&", "&&") + (document.isModified() ? "*" : "");
+    const QString text = titleOf(document).replace("&", "&&") + (document.isModified() ? "*" : "");
     // A drag of a slider asks for every frame.
     if (bar_->tabText(tab) != text) bar_->setTabText(tab, text);
     bar_->tabButton(tab, QTabBar::RightSide)
-        ->setAccessibleName(tr("Close %1").arg(document.name()));
-    const auto& files = document.sourceFiles();
-    std::filesystem::path place = document.projectPath();
-    if (place.empty() && !files.empty()) place = files.front();
-    bar_->setTabToolTip(tab,
-                        place.empty() ? document.name() : QString::fromStdString(place.string()));
+        ->setAccessibleName(tr("Close %1").arg(titleOf(document)));
+    const QString place = placeOf(document);
+    bar_->setTabToolTip(tab, place.isEmpty() ? document.name() : place);
   }
 }
 
@@ -184,14 +241,18 @@ void DocumentTabs::close(DocumentPage& page) {
   // The bar chooses a neighbour where this one was current.
   if (tab >= 0) bar_->removeTab(tab);
   stack_->removeWidget(&page);
+  behind_.erase(&page);
   delete &page;
   Q_EMIT currentChanged();
 }
 
 void DocumentTabs::discardBlankPages() {
+  // What was to come to the front did not open, what was to stay behind it did.
+  if (current().isBlank() && bar_->count() > 0) present(pageOf(0));
   for (DocumentPage* page : pages()) {
     if (page == &current() || !page->isBlank()) continue;
     stack_->removeWidget(page);
+    behind_.erase(page);
     delete page;
   }
 }

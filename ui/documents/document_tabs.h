@@ -2,10 +2,13 @@
 
 // The documents of the window, each on a page behind a tab of its own. There is always a current
 // page; it is blank while nothing is open. A document has its tab from the moment when it can be
-// shown, so that what cannot be opened changes nothing. Interface thread only.
+// shown, so that what cannot be opened changes nothing; it comes to the front then, unless somebody
+// is in the middle of a gesture. Of several that are opened at once the first does. Interface
+// thread only.
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <vector>
 
 #include <QWidget>
@@ -59,6 +62,8 @@ class DocumentTabs : public QWidget {
   void currentChanged();
   // By the button of a tab or the middle button of the mouse.
   void closeWanted(cutis::DocumentPage& page);
+  // It can be shown, but stays behind: somebody is in the middle of something else.
+  void openedBehind(cutis::DocumentPage& page);
 
  private:
   DocumentPage& makePage();
@@ -66,6 +71,9 @@ class DocumentTabs : public QWidget {
   int tabOf(const DocumentPage& page) const;
   DocumentPage& pageOf(int tab) const;
   void takeOpened(DocumentPage& page);
+  void addTab(DocumentPage& page);
+  void beginBatch();
+  QString titleOf(const Document& document) const;
   // Removes what is blank and not in sight.
   void discardBlankPages();
   void makeCurrent(DocumentPage& page);
@@ -73,6 +81,9 @@ class DocumentTabs : public QWidget {
   MakePage makePage_;
   QTabBar* bar_;
   QStackedWidget* stack_;
+  // Pages that were asked for together with another one, which alone comes to the front.
+  std::set<const DocumentPage*> behind_;
+  bool isBatchBegun_ = false;
 };
 
 }  // namespace cutis

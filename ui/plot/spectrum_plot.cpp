@@ -142,7 +142,7 @@ Panel SpectrumPlot::emptyPanel() const {
   Panel panel;
   panel.title =
       (heading_.isEmpty() ? tr("Reflectance") : tr("Reflectance, %1").arg(heading_)).toStdString();
-  panel.shades = {shadeOf(tr("UVA"), kUltravioletBand, theme.outerShade),
+  panel.shades = {shadeOf(tr("UV"), kUltravioletBand, theme.outerShade),
                   shadeOf(tr("Visible"), kVisibleBand, theme.shade),
                   shadeOf(tr("NIR"), kNearInfraredBand, theme.outerShade)};
   panel.x = linearAxis(kFirstWavelengthNm, kLastWavelengthNm, kWavelengthSteps);

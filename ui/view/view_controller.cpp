@@ -20,6 +20,20 @@ ViewRequest wholePicture(ViewKind view, const Scene& scene, int size) {
   return {view, {0, 0, scene.width(), scene.height()}, std::max(1, (longer + size - 1) / size)};
 }
 
+bool isWithoutEstimate(const ViewPart& part) {
+  const auto& present = part.pixels.present;
+  return std::none_of(present.begin(), present.end(), [](auto is) { return bool{is != 0}; });
+}
+
+// A map shows one parameter, bands show what all of them make.
+bool changesView(const EditStack& edits, ViewKind view) {
+  const auto parameter = parameterOf(view);
+  if (!parameter) return !isNeutral(edits);
+  return std::any_of(edits.begin(), edits.end(), [&](const Edit& edit) {
+    return edit.enabled && !edit.parameters[static_cast<std::size_t>(*parameter)].isNeutral();
+  });
+}
+
 }  // namespace
 
 ViewController::ViewController(Document& document, ViewServer& server, Viewport& viewport,
@@ -45,6 +59,9 @@ ViewController::ViewController(Document& document, ViewServer& server, Viewport&
     ranges_.clear();
     showColorBar();
   });
+  connect(&document, &Document::fitChoiceChanged, this, &ViewController::showColorBar);
+  connect(&document, &Document::fitted, this, &ViewController::showColorBar);
+  connect(&document, &Document::editsChanged, this, &ViewController::showColorBar);
   connect(&viewport, &Viewport::viewChanged, this, &ViewController::wantDetail);
 }
 
@@ -149,14 +166,18 @@ void ViewController::wantOverview() {
 
 void ViewController::takeThumbnail(const Part& part) {
   takeRange(part);
-  strip_->setThumbnail(describe(part->request.view).id, imageOf(*part));
+  const ViewKind view = part->request.view;
+  const bool isEmpty = awaitsEstimate(view) || isWithoutEstimate(*part);
+  strip_->setThumbnail(describe(view).id, isEmpty ? QImage() : imageOf(*part));
 }
 
 void ViewController::takeRange(const Part& part) {
   const ViewKind view = part->request.view;
   const bool edited = !isNeutral(document_.scene().edits);
   if (!describe(view).scale || awaitsEstimate(view) || (edited && ranges_.contains(view))) return;
-  ranges_[view] = rangeOf(*part);
+  const auto range = rangeOf(*part);
+  if (!range) return;
+  ranges_[view] = *range;
   if (view != current_) return;
   showDetail();
   showOverview();
@@ -183,13 +204,25 @@ bool ViewController::awaitsEstimate(ViewKind view) const {
 }
 
 void ViewController::showColorBar() {
+  if (!document_.isOpen()) return;
   const ViewDescription& view = describe(current_);
   const bool awaits = awaitsEstimate(current_);
   viewport_.setNotice(awaits ? tr("Not fitted yet") : QString());
   if (!view.scale || awaits) return viewport_.setColorBar(std::nullopt);
-  const DisplayRange range = ranges_[current_];
-  viewport_.setColorBar(
-      ColorBarSpec{view.name, view.unit, range.minimum, range.maximum, *view.scale});
+  ColorBarSpec spec = {view.name, view.unit, 0.0, 1.0, *view.scale, stateText(), false};
+  if (const auto known = ranges_.find(current_); known != ranges_.end()) {
+    spec.minimum = known->second.minimum;
+    spec.maximum = known->second.maximum;
+    spec.isKnown = true;
+  }
+  viewport_.setColorBar(spec);
+}
+
+QString ViewController::stateText() const {
+  const bool isIncomplete = !document_.isFitted() && !document_.isFitting();
+  if (!ranges_.contains(current_) && !document_.isFitted()) return tr("Not fitted yet");
+  if (isIncomplete) return tr("Incomplete");
+  return changesView(document_.scene().edits, current_) ? tr("Edited") : QString();
 }
 
 QImage ViewController::imageOf(const ViewPart& part) const {
@@ -197,7 +230,9 @@ QImage ViewController::imageOf(const ViewPart& part) const {
   if (awaitsEstimate(view.kind)) return maskedImage(part);
   if (!view.scale) return colorImage(part);
   const auto known = ranges_.find(view.kind);
-  return falseColorImage(part, *view.scale, known == ranges_.end() ? rangeOf(part) : known->second);
+  const DisplayRange range =
+      known == ranges_.end() ? rangeOf(part).value_or(DisplayRange()) : known->second;
+  return falseColorImage(part, *view.scale, range);
 }
 
 }  // namespace cutis

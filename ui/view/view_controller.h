@@ -67,6 +67,8 @@ class ViewController : public QObject {
   void showDetail();
   void showOverview();
   void showColorBar();
+  // What the scale of the current view leaves open; empty: nothing.
+  QString stateText() const;
   QImage imageOf(const ViewPart& part) const;
 
   Document& document_;

@@ -88,16 +88,17 @@ QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange
   });
 }
 
-DisplayRange rangeOf(const ViewPart& part) {
+std::optional<DisplayRange> rangeOf(const ViewPart& part) {
   std::vector<float> values;
   if (!part.pixels.channels.empty()) {
     for (std::size_t i = 0; i < part.pixels.present.size(); ++i) {
       if (part.pixels.present[i]) values.push_back(part.pixels.channels.front()[i]);
     }
   }
-  if (values.empty()) return {};
+  if (values.empty()) return std::nullopt;
   constexpr double kSmallestRange = 1e-4;
-  return {0.0, roundUp(std::max(double{quantileOf(values, kShareBelowMaximum)}, kSmallestRange))};
+  return DisplayRange{
+      0.0, roundUp(std::max(double{quantileOf(values, kShareBelowMaximum)}, kSmallestRange))};
 }
 
 }  // namespace cutis

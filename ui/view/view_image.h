@@ -2,6 +2,8 @@
 
 // Parts of views as images for the screen.
 
+#include <optional>
+
 #include <QImage>
 
 #include "src/app/document/view_part.h"
@@ -22,7 +24,8 @@ QImage maskedImage(const ViewPart& part);
 // One channel through a scale. RGB32.
 QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange& range);
 
-// The range from 0 to a round number just above nearly all values (99.5 %) of a part.
-DisplayRange rangeOf(const ViewPart& part);
+// The range from 0 to a round number just above nearly all values (99.5 %) of a part; none where no
+// pixel of it has an estimate.
+std::optional<DisplayRange> rangeOf(const ViewPart& part);
 
 }  // namespace cutis

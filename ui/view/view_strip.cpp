@@ -2,6 +2,7 @@
 
 #include <QHash>
 #include <QImage>
+#include <QMouseEvent>
 #include <QSignalBlocker>
 
 #include "ui/theme/theme.h"
@@ -73,6 +74,11 @@ void ViewStrip::setCurrent(const QString& id) {
 QString ViewStrip::current() const {
   const QListWidgetItem* item = currentItem();
   return item ? item->data(ViewDelegate::kIdRole).toString() : QString();
+}
+
+// The right button asks for a menu and chooses nothing.
+void ViewStrip::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) QListWidget::mousePressEvent(event);
 }
 
 QListWidgetItem* ViewStrip::itemOf(const QString& id) const {

@@ -35,6 +35,9 @@ class ViewStrip : public QListWidget {
   // The user has chosen a view.
   void chosen(const QString& id);
 
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+
  private:
   QListWidgetItem* itemOf(const QString& id) const;
 };

@@ -176,8 +176,11 @@ void Viewport::paintEvent(QPaintEvent*) {
   images_.draw(painter, geometry_);
   painter.restore();
   if (colorBar_) {
+    const QRectF picture(toWidget({0.0, 0.0}), toWidget(QPointF(geometry_.picture().width(),
+                                                                geometry_.picture().height())));
     drawColorBar(painter, font(),
-                 {double(theme::kDoubleSpace), double(height() - theme::kDoubleSpace)}, *colorBar_);
+                 {double(theme::kDoubleSpace), double(height() - theme::kDoubleSpace)},
+                 picture.intersected(QRectF(rect())).size(), *colorBar_);
   }
   if (!notice_.isEmpty()) drawNotice(painter);
   if (showFocus_) theme::drawFocusRing(painter, QRectF(rect()));
@@ -248,6 +251,12 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Viewport::leaveEvent(QEvent*) {
+  cursor_.reset();
+  updateCursor();
+}
+
+// Another document comes to the front under a still cursor.
+void Viewport::hideEvent(QHideEvent*) {
   cursor_.reset();
   updateCursor();
 }

@@ -38,6 +38,7 @@ class Viewport : public QWidget {
   void clear();
 
   // A bar in the lower left corner; nothing hides it.
+  const std::optional<ColorBarSpec>& colorBar() const { return colorBar_; }
   void setColorBar(const std::optional<ColorBarSpec>& spec);
 
   // A few words in the middle of the picture, for what is not there to be seen yet; empty: none.
@@ -87,6 +88,7 @@ class Viewport : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;

@@ -265,7 +265,8 @@ Rows viewCommands(const Editor& editor) {
          .isOn =
              [editor, kind = view.kind] {
                return editor.document().isOpen() && editor.page().views().current() == kind;
-             }});
+             },
+         .exclusiveGroup = "views"});
     if (number <= 10) {
       rows.back().shortcuts = {QKeySequence(QString("Alt+%1").arg(number % 10))};
     }

@@ -46,6 +46,7 @@ namespace {
 constexpr char kGeometry[] = "geometry";
 constexpr char kLayout[] = "layout";
 constexpr QSize kFirstSize(1440, 900);
+constexpr int kSourceCheckMs = 2000;
 
 }  // namespace
 
@@ -170,6 +171,11 @@ void MainWindow::connectOpening() {
   connect(&jobs_, &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(tabs_, &DocumentTabs::currentChanged, this, &MainWindow::showCurrent);
   connect(tabs_, &DocumentTabs::closeWanted, closing_, &CloseGuard::closePage);
+  connect(tabs_, &DocumentTabs::openedBehind, this, [this](DocumentPage& page) {
+    progress_->showMessage(tr("%1 is open in a tab of its own").arg(page.document().name()), false);
+  });
+  sourceTimer_.setInterval(kSourceCheckMs);
+  connect(&sourceTimer_, &QTimer::timeout, this, &MainWindow::checkSources);
 }
 
 void MainWindow::connectPage(DocumentPage& page) {
@@ -316,6 +322,12 @@ void MainWindow::dropEvent(QDropEvent* event) {
   for (const QUrl& url : event->mimeData()->urls()) {
     if (url.isLocalFile()) files << url.toLocalFile();
   }
+  // The program that they come from waits until this returns.
+  QMetaObject::invokeMethod(
+      this, [this, files] { openDropped(files); }, Qt::QueuedConnection);
+}
+
+void MainWindow::openDropped(const QStringList& files) {
   const bool isOne = files.size() == 1;
   if (isOne && tabs_->current().reopening().askWhetherMask(files.front().toStdString())) return;
   opener_->openAll(files);
@@ -333,7 +345,13 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
-  if (event->type() != QEvent::ActivationChange || !isActiveWindow()) return;
+  if (event->type() != QEvent::ActivationChange) return;
+  if (!isActiveWindow()) return sourceTimer_.stop();
+  checkSources();
+  sourceTimer_.start();
+}
+
+void MainWindow::checkSources() {
   for (DocumentPage* page : tabs_->pages())
     page->document().checkSource();
 }

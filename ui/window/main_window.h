@@ -7,6 +7,7 @@
 #include <memory>
 
 #include <QMainWindow>
+#include <QTimer>
 
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
@@ -77,7 +78,8 @@ class MainWindow : public QMainWindow {
   void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
-  // Who comes back from another program may have changed a source there.
+  // Who comes back from another program may have changed a source there. While the window is used
+  // sources are looked at every two seconds.
   void changeEvent(QEvent* event) override;
 
  private:
@@ -92,9 +94,11 @@ class MainWindow : public QMainWindow {
   void keepThumbnail(DocumentPage& page);
   void showCurrent();
   void showRecentFiles();
+  void openDropped(const QStringList& files);
   void showTitle();
   void refreshCommands();
   void restoreSettings();
+  void checkSources();
 
   std::unique_ptr<Engine> engine_;
   JobRunner jobs_;  // of the window itself; each page has its own
@@ -112,6 +116,7 @@ class MainWindow : public QMainWindow {
   CloseGuard* closing_;
   SourceFinder* finder_;
   Recovery* recovery_;
+  QTimer sourceTimer_;
 };
 
 }  // namespace cutis

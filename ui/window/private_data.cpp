@@ -19,13 +19,20 @@ void clearPrivateData() {
 }
 
 void askToClearPrivateData(QWidget& window) {
+  const int lost = countAbandonedJournals(journalFolder());
+  const QString edits =
+      lost == 0   ? QObject::tr("No unsaved edits of earlier sessions are kept.")
+      : lost == 1 ? QObject::tr("The unsaved edits of one document of an earlier session are lost.")
+                  : QObject::tr("The unsaved edits of %1 documents of earlier sessions are lost.")
+                        .arg(lost);
   askQuestion(
       window, QObject::tr("Clear private data?"),
-      QObject::tr("Edits that earlier sessions have not saved, what is cached, and the names "
-                  "of recent files and folders are removed. Pictures, projects and what is "
-                  "open now stay."),
-      {{QObject::tr("Clear"), QMessageBox::DestructiveRole, [] { clearPrivateData(); }},
-       {QObject::tr("Cancel"), QMessageBox::RejectRole}});
+      QObject::tr("%1 What is cached and the names of recent files and folders are removed. "
+                  "Pictures, projects and what is open now stay.")
+          .arg(edits),
+      {{QObject::tr("Cancel"), QMessageBox::RejectRole},
+       {QObject::tr("Clear"), QMessageBox::DestructiveRole, [] { clearPrivateData(); }}},
+      EscapeAnswer::first);
 }
 
 }  // namespace cutis

@@ -1,19 +1,49 @@
 #include "ui/window/recovery.h"
 
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
 #include <QStringList>
 
 #include "src/app/project/manifest.h"
 #include "ui/dialogs/question.h"
 #include "ui/documents/document_page.h"
 #include "ui/documents/document_tabs.h"
+#include "ui/view/view_catalogue.h"
 #include "ui/widgets/progress_strip.h"
 
 namespace cutis {
 namespace {
 
 QString nameOf(const Project& project) {
-  if (project.source.path.empty()) return Recovery::tr("the sample face patch");
-  return QString::fromStdString(project.source.path.filename().string());
+  const auto& path = project.editsOf.empty() ? project.source.path : project.editsOf;
+  if (path.empty()) return Recovery::tr("the sample face patch");
+  return QString::fromStdString(path.filename().string());
+}
+
+// "today 14:05"
+QString timeOf(const std::filesystem::path& journal) {
+  const QDateTime written = QFileInfo(QString::fromStdString(journal.string())).lastModified();
+  const QLocale locale;
+  const QString clock = locale.toString(written.time(), QLocale::ShortFormat);
+  if (written.date() == QDate::currentDate()) return Recovery::tr("today %1").arg(clock);
+  return QString("%1 %2").arg(locale.toString(written.date(), QLocale::ShortFormat), clock);
+}
+
+// "face.cutis and hand.png"
+QString joinedByAnd(QStringList names) {
+  const QString last = names.takeLast();
+  return names.isEmpty() ? last : Recovery::tr("%1 and %2").arg(names.join(", "), last);
+}
+
+// One in which the edits are seen.
+ProjectView seenIn(const Project& project) {
+  ProjectView view = project.view;
+  const auto kind = viewById(QString::fromStdString(view.view));
+  if (kind && kind != ViewKind::photograph) return view;
+  const bool hasAlbedo = project.source.kind != SourceKind::maps;
+  view.view = describe(hasAlbedo ? ViewKind::editedAlbedo : ViewKind::skin).id.toStdString();
+  return view;
 }
 
 }  // namespace
@@ -45,7 +75,7 @@ void Recovery::offer() {
       progress_.showMessage(QString::fromStdString(project.error().text()), true);
     } else if (project) {
       all.push_back({project.value(), journal});
-      names << nameOf(project.value());
+      names << tr("%1 (%2)").arg(nameOf(project.value()), timeOf(journal->path()));
     }
   }
   if (all.empty()) return;
@@ -59,7 +89,7 @@ void Recovery::offer() {
       window_, tr("Cutis ended while edits were not saved."),
       tr("The edits of %1 can be brought back. They open without a project of their own and "
          "replace no file.")
-          .arg(names.join(", ")),
+          .arg(joinedByAnd(names)),
       {{tr("Bring back"), QMessageBox::AcceptRole, recoverAll},
        {tr("Discard"), QMessageBox::DestructiveRole, discard}},
       EscapeAnswer::first);
@@ -68,7 +98,9 @@ void Recovery::offer() {
 void Recovery::recover(const std::vector<Left>& all) {
   for (const Left& left : all) {
     DocumentPage& page = tabs_.pageToOpenIn();
-    page.recover(left.project, left.journal);
+    Project project = left.project;
+    project.view = seenIn(project);
+    page.recover(project, left.journal);
   }
 }
 

@@ -76,6 +76,7 @@ void Autosave::write() {
 std::string Autosave::text() const {
   Project project = document_.project();
   project.maps.clear();
+  project.editsOf = document_.projectPath();
   return projectText(project, {});
 }
 

@@ -382,11 +382,13 @@ void Document::setEdits(bool moving) {
   Q_EMIT modifiedChanged();
 }
 
-std::optional<ParameterVector> Document::editedParametersAt(int x, int y) const {
+std::optional<Document::PixelParameters> Document::parametersAt(int x, int y) const {
   if (!scene_ || !scene_->maps.state.bounds().contains(x, y)) return std::nullopt;
-  const auto edited = loadEdited(*scene_, {x, y, x + 1, y + 1});
-  if (!edited || !edited.value().present.front()) return std::nullopt;
-  return onlyPixelOf(edited.value());
+  const Rect pixel = {x, y, x + 1, y + 1};
+  const auto original = loadParameters(scene_->maps, pixel);
+  const auto edited = loadEdited(*scene_, pixel);
+  if (!original || !edited || !original.value().present.front()) return std::nullopt;
+  return PixelParameters{onlyPixelOf(original.value()), onlyPixelOf(edited.value())};
 }
 
 std::optional<Document::PixelSpectra> Document::spectraAt(int x, int y) const {

@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 
@@ -106,7 +107,8 @@ class Document : public QObject {
   // What is being saved is left as it was before.
   void stopSaving();
   // Looks in the background whether files of the source hold something else than was read; each
-  // change is reported once, by sourceChanged().
+  // change is reported once, by sourceChanged(), and each file that is no longer there, by
+  // noticed().
   void checkSource();
   // Reads the source again and fits it again; edits are kept. Precondition: it came from files.
   void reload() { readAgain(state_.source, choice_); }
@@ -164,8 +166,12 @@ class Document : public QObject {
     std::optional<Spectrum> deviation;
   };
   std::optional<PixelSpectra> spectraAt(int x, int y) const;
-  // Of them the edited parameters alone, which need no model.
-  std::optional<ParameterVector> editedParametersAt(int x, int y) const;
+  // Of them the parameters alone, which need no model.
+  struct PixelParameters {
+    ParameterVector original;
+    ParameterVector edited;
+  };
+  std::optional<PixelParameters> parametersAt(int x, int y) const;
 
  Q_SIGNALS:
   // Nothing is open yet, and this is a first impression of what will be: opened() or previewEnded()
@@ -209,6 +215,7 @@ class Document : public QObject {
 
  private:
   std::optional<Spectrum> deviationAt(int x, int y, std::span<const double> values) const;
+  void noteMissing(const std::vector<std::filesystem::path>& missing);
 
   // What was read, on its way to being shown.
   struct Opened {
@@ -291,6 +298,10 @@ class Document : public QObject {
   JobId saving_ = 0;
   std::filesystem::path saveNext_;
   JobId checking_ = 0;
+  // Files of the source that were not there when it was last looked at, and of these the ones that
+  // were reported.
+  std::set<std::filesystem::path> missing_;
+  std::set<std::filesystem::path> reportedMissing_;
   FitChoice usualFit_;
   FitChoice choice_;
   bool isPreviewed_ = false;

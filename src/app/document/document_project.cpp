@@ -2,6 +2,7 @@
 // saved.
 
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/fit/discrepancy_choice.h"
@@ -135,7 +136,7 @@ bool Document::isModified() const {
 }
 
 Project Document::project() const {
-  return {state_.source, choice_, history_.current().edits, state_.view, state_.maps};
+  return {state_.source, choice_, history_.current().edits, state_.view, state_.maps, {}};
 }
 
 std::function<Result<MapsFile>()> Document::mapsFile() const {
@@ -209,6 +210,7 @@ void Document::checkSource() {
   if (!isOpen() || state_.source.files.empty() || jobs_.isRunning(checking_)) return;
   checking_ =
       jobs_.startQuiet([this, files = state_.source.files](const JobRunner::Handle& job) mutable {
+        job.post([this, missing = missingFiles(files)] { noteMissing(missing); });
         const auto changed = changedFiles(files, job.context);
         if (!changed || changed.value().empty()) return;
         job.post([this, files, changed = changed.value()] {
@@ -219,6 +221,20 @@ void Document::checkSource() {
           Q_EMIT sourceChanged(names);
         });
       });
+}
+
+// A program that replaces a file may take it away for a moment: it is missing when two looks in a
+// row do not find it.
+void Document::noteMissing(const std::vector<fs::path>& missing) {
+  const std::set<fs::path> before = std::exchange(missing_, {missing.begin(), missing.end()});
+  std::erase_if(reportedMissing_,
+                [this](const fs::path& file) { return !missing_.contains(file); });
+  for (const fs::path& file : missing_) {
+    if (!before.contains(file) || !reportedMissing_.insert(file).second) continue;
+    Q_EMIT noticed(tr("%1 is no longer there; put it back before you reload it or open a project "
+                      "of it, what is open now stays")
+                       .arg(textOf(file)));
+  }
 }
 
 bool Document::canReopen() const {

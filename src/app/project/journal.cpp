@@ -1,5 +1,6 @@
 #include "src/app/project/journal.h"
 
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -47,6 +48,18 @@ std::set<QString> instancesIn(const fs::path& folder) {
 bool lockFor(QLockFile& lock) {
   lock.setStaleLockTime(0);
   return lock.tryLock(0);
+}
+
+// Each journal that no running instance holds.
+void visitAbandoned(const fs::path& folder, const std::function<void(const fs::path&)>& visit) {
+  for (const QString& instance : instancesIn(folder)) {
+    QLockFile lock(
+        QString::fromStdString((folder / (instance.toStdString() + kLockEnding)).string()));
+    if (!lockFor(lock)) continue;
+    for (const fs::path& file : filesIn(folder)) {
+      if (instanceOf(file) == instance && file.extension() != kLockEnding) visit(file);
+    }
+  }
 }
 
 }  // namespace
@@ -138,16 +151,18 @@ void JournalFolder::take(const QString& instance, std::vector<std::shared_ptr<Jo
 int removeAbandonedJournals(const fs::path& folder) {
   int removed = 0;
   std::error_code error;
-  for (const QString& instance : instancesIn(folder)) {
-    QLockFile lock(
-        QString::fromStdString((folder / (instance.toStdString() + kLockEnding)).string()));
-    if (!lockFor(lock)) continue;
-    for (const fs::path& file : filesIn(folder)) {
-      if (instanceOf(file) == instance && file.extension() != kLockEnding)
-        removed += fs::remove(file, error) ? 1 : 0;
-    }
-  }
+  visitAbandoned(folder, [&](const fs::path& file) { removed += fs::remove(file, error) ? 1 : 0; });
   return removed;
+}
+
+int countAbandonedJournals(const fs::path& folder) {
+  int count = 0;
+  std::error_code error;
+  visitAbandoned(folder, [&](const fs::path& file) {
+    const bool isPartial = file.filename().string().starts_with('.');
+    count += !isPartial && !fs::is_empty(file, error) ? 1 : 0;
+  });
+  return count;
 }
 
 }  // namespace cutis

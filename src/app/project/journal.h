@@ -67,6 +67,9 @@ class JournalFolder {
   int count_ = 0;
 };
 
+// How many documents' unsaved edits lie in journals that no running instance holds.
+int countAbandonedJournals(const std::filesystem::path& folder);
+
 // Removes all journals that no running instance holds. Returns how many files.
 int removeAbandonedJournals(const std::filesystem::path& folder);
 

@@ -307,6 +307,7 @@ std::string projectText(const Project& project, const fs::path& folder) {
   root["source"] = sourceJson(project.source, project.fit.exposure, names);
   root["fit"] = fitJson(project.fit, names);
   root["maps"] = project.maps.empty() ? Json(nullptr) : Json(names.nameOf(project.maps));
+  if (!project.editsOf.empty()) root["edits_of"] = names.nameOf(project.editsOf);
   addEditsTo(root, project.edits);
   root["view"] = viewJson(project.view, names);
   // A file's name may be no UTF-8.
@@ -317,7 +318,8 @@ Result<Project> parseProject(std::string_view text, const fs::path& path, const 
   const PathNames names(fs::absolute(path).lexically_normal().parent_path());
   CUTIS_TRY(root, parseJson(text, path.string()));
   CUTIS_CHECK(checkVersion(root, kVersion, kNewestProject));
-  root.sayUnknown({kVersion, "source", "fit", "maps", "edits", "regions", "view"}, notice);
+  root.sayUnknown({kVersion, "source", "fit", "maps", "edits_of", "edits", "regions", "view"},
+                  notice);
   CUTIS_TRY(sourceObject, root.object("source"));
   CUTIS_TRY(fitObject, root.object("fit"));
   CUTIS_TRY(viewObject, root.object("view"));
@@ -327,6 +329,10 @@ Result<Project> parseProject(std::string_view text, const fs::path& path, const 
   CUTIS_TRY(edits, parseEdits(root, notice));
   CUTIS_TRY(view, parseView(viewObject, names, notice));
   Project project = {source, fit, edits, view, {}};
+  if (root.has("edits_of")) {
+    CUTIS_TRY(editsOf, root.text("edits_of"));
+    project.editsOf = names.pathOf(editsOf);
+  }
   if (root.has("maps") && !root.isNull("maps")) {
     CUTIS_TRY(maps, root.text("maps"));
     project.maps = names.pathOf(maps);

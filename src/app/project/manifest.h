@@ -15,9 +15,10 @@
 //               "adaptation": "none"} }
 //
 // Paths are relative to the folder of the manifest where there is a way. "kind" is sample, image,
-// capture or maps; "maps" is null while nothing is fitted, "place" while the whole picture is
-// shown. Edits are those of src/files/edits/edits_file.h. Fields this version does not know are
-// passed over with a notice; a newer version is refused.
+// capture or maps; a journal names the project that it belongs to as "edits_of"; "maps" is null
+// while nothing is fitted, "place" while the whole picture is shown. Edits are those of
+// src/files/edits/edits_file.h. Fields this version does not know are passed over with a notice; a
+// newer version is refused.
 //
 // Errors are sentences that name file and field. Pure, but for readProject().
 

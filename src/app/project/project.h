@@ -52,6 +52,8 @@ struct Project {
   ProjectView view;
   // The file of the fitted maps, named by the content hash of its bytes; empty: not fitted.
   std::filesystem::path maps;
+  // In a journal: the project that these are unsaved edits of; empty: they were of none.
+  std::filesystem::path editsOf = {};
 };
 
 }  // namespace cutis

@@ -80,12 +80,18 @@ Result<std::vector<fs::path>> changedFiles(std::vector<SourceFile>& files,
   return changed;
 }
 
-fs::path firstMissing(const std::vector<SourceFile>& files) {
+std::vector<fs::path> missingFiles(const std::vector<SourceFile>& files) {
+  std::vector<fs::path> missing;
   std::error_code ignored;
-  const auto missing = std::find_if(files.begin(), files.end(), [&](const SourceFile& file) {
-    return !fs::exists(file.path, ignored);
-  });
-  return missing == files.end() ? fs::path() : missing->path;
+  for (const SourceFile& file : files) {
+    if (!fs::exists(file.path, ignored)) missing.push_back(file.path);
+  }
+  return missing;
+}
+
+fs::path firstMissing(const std::vector<SourceFile>& files) {
+  const std::vector<fs::path> missing = missingFiles(files);
+  return missing.empty() ? fs::path() : missing.front();
 }
 
 }  // namespace cutis

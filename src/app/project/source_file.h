@@ -36,7 +36,9 @@ Status addHashes(const std::filesystem::path& path, const std::vector<SourceRefe
 Result<std::vector<std::filesystem::path>> changedFiles(std::vector<SourceFile>& files,
                                                         const JobContext& context);
 
-// Of these the first that is not there; empty if none is missing.
+// Of these the ones that are not there.
+std::vector<std::filesystem::path> missingFiles(const std::vector<SourceFile>& files);
+// The first of them; empty if none is missing.
 std::filesystem::path firstMissing(const std::vector<SourceFile>& files);
 
 }  // namespace cutis

@@ -1,5 +1,6 @@
 #include "src/files/io/atomic_write.h"
 
+#include <cerrno>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -14,8 +15,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error cannotBeWritten(const fs::path& path) {
-  return resourceError(path.string(), "the file cannot be written to the disk; free some space");
+// reason: what the system said, an errno.
+Error cannotBeWritten(const fs::path& path, int reason) {
+  const std::error_code said(reason, std::generic_category());
+  const bool isFull = said == std::errc::no_space_on_device;
+  return resourceError(path.string(), "the file cannot be written (" +
+                                          (reason == 0 ? "unknown reason" : said.message()) +
+                                          "); " +
+                                          (isFull ? "free some disk space" : "write elsewhere"));
 }
 
 }  // namespace
@@ -33,11 +40,12 @@ Status writeAtomically(const fs::path& path,
   std::error_code error;
   const bool replaces = fs::exists(target, error);
   // What others may not read they may not read while it is written either.
-  if (replaces && !createPrivateFile(temporary.path())) return cannotBeWritten(path);
+  if (replaces && !createPrivateFile(temporary.path())) return cannotBeWritten(path, errno);
   CUTIS_CHECK(write(temporary.path()));
-  if (replaces && fs::is_empty(temporary.path(), error)) return cannotBeWritten(path);
+  // Whatever wrote it met a full disk without noticing.
+  if (replaces && fs::is_empty(temporary.path(), error)) return cannotBeWritten(path, ENOSPC);
   if (replaces) keepAttributes(target, temporary.path());
-  if (!flushToDisk(temporary.path())) return cannotBeWritten(path);
+  if (!flushToDisk(temporary.path())) return cannotBeWritten(path, errno);
   fs::rename(temporary.path(), target, error);
   if (error) {
     return resourceError(path.string(),
@@ -48,12 +56,11 @@ Status writeAtomically(const fs::path& path,
 
 Status writeTextAtomically(const fs::path& path, std::string_view text) {
   return writeAtomically(path, [&](const fs::path& temporary) -> Status {
+    errno = 0;
     std::ofstream stream(temporary, std::ios::binary);
     stream.write(text.data(), static_cast<std::streamsize>(text.size()));
     stream.close();
-    if (!stream) {
-      return resourceError(path.string(), "the file cannot be written; free some disk space");
-    }
+    if (!stream) return cannotBeWritten(path, errno);
     return {};
   });
 }

@@ -24,8 +24,9 @@ Result<fs::path> findManifest(const fs::path& path) {
   if (error == std::errc::permission_denied) {
     return inputError(path.string(), "this folder may not be entered; check its permissions");
   }
-  return inputError(path.string(), std::string("there is no ") + kCaptureFile +
-                                       " in this folder; name a capture or an image");
+  return inputError(path.string(),
+                    std::string("there is no ") + kCaptureFile +
+                        " in this folder; choose a folder that has one, or an image");
 }
 
 // A name in capture.json may not lead out of its folder, neither by itself nor through links.

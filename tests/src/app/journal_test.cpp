@@ -47,6 +47,15 @@ class JournalTest : public QObject {
              std::string("{ }"));
   }
 
+  void whatLiesThereIsCounted() {
+    const ScratchFolder folder;
+    QCOMPARE(countAbandonedJournals(folder / "journals"), 0);
+    leaveJournal(folder, "0123", "{}");
+    leaveJournal(folder, "4567", "");
+    QCOMPARE(countAbandonedJournals(folder / "journals"), 1);
+    QVERIFY2(folder.read("journals/0123-0.cutis") == "{}", "counting takes nothing away");
+  }
+
   void theLastStateHolds() {
     const ScratchFolder folder;
     auto journals = JournalFolder::open(folder / "journals");

@@ -81,6 +81,14 @@ class ManifestTest : public QObject {
     QCOMPARE(projectText(read.value(), {}), text);
   }
 
+  void aJournalNamesItsProject() {
+    Project project = fullProject();
+    project.editsOf = "/work/projects/face.cutis";
+    const auto read = parseProject(projectText(project, {}), "/somewhere/else.cutis", {});
+    EXPECT_OK(read);
+    QCOMPARE(read.value().editsOf, project.editsOf);
+  }
+
   void sampleAndMapsHaveLess() {
     Project project;
     const auto sample = parseProject(projectText(project, "/a"), "/a/b.cutis", {});

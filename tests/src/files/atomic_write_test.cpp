@@ -49,6 +49,14 @@ class AtomicWriteTest : public QObject {
     QVERIFY(seen.filename() != "maps.exr");
   }
 
+  // Nobody can make files in /proc, and there is no lack of space.
+  void whatCannotBeWrittenIsNotCalledFull() {
+    if (!fs::exists("/proc/version")) QSKIP("a system without /proc");
+    const Status refused = writeTextAtomically("/proc/cutis.txt", "text");
+    EXPECT_ERROR(refused, "write elsewhere");
+    QVERIFY(refused.error().text().find("disk space") == std::string::npos);
+  }
+
   void aFailureLeavesTheOldFile() {
     const test::ScratchFolder folder;
     folder.write("maps.exr", "old");

@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
 
@@ -61,6 +62,28 @@ class FileToWriteTest : public test::UiTest {
     const QString chosen = chooseFileToWrite(nullptr, "Export", suggested, kFilters);
     QCOMPARE(QFileInfo(chosen).fileName(), written);
     QCOMPARE(QFileInfo(chosen).path(), QFileInfo(suggested).path());
+  }
+
+  // Before anybody is asked whether the file may be replaced.
+  void anObjectionKeepsTheDialogOpen() {
+    const QString taken = QString::fromStdString(folder_.write("source.exr", "source").string());
+    QString said;
+    QTimer::singleShot(0, [&] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      QVERIFY(dialog != nullptr);
+      QTimer::singleShot(0, dialog, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        QVERIFY(box != nullptr);
+        said = box->text();
+        QTest::keyClick(box, Qt::Key_Return);
+      });
+      QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+      QVERIFY(dialog->isVisible());
+      QTest::keyClick(dialog, Qt::Key_Escape);
+    });
+    const auto objection = [](const QString& path) { return path + " is a source"; };
+    QVERIFY(chooseFileToWrite(nullptr, "Export", taken, kFilters, objection).isEmpty());
+    QCOMPARE(said, taken + " is a source");
   }
 
  private:

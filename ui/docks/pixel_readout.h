@@ -1,0 +1,16 @@
+#pragma once  // internal to ui/docks
+
+// What the foot of the window says of the pixel under the cursor.
+
+#include <QPoint>
+#include <QString>
+
+#include "src/app/document/document.h"
+
+namespace cutis {
+
+// "492, 492   Melanin 6.4 %, edited 9.6 %   Melanin blend 70 %  …", or that there is no estimate,
+// or that it is one of a fit that was cancelled.
+QString pixelReadout(const Document& document, const QPoint& pixel);
+
+}  // namespace cutis
