@@ -86,7 +86,7 @@ StoredColors inkColors(const OIIO::ImageSpec& spec, const std::string& place) {
   }
   const auto profile = readIccProfile(bytes, place);
   if (!profile) {
-    colors.objection = "CMYK, but " + profile.error().message;
+    colors.objection = "CMYK, but its ICC profile cannot be used (" + profile.error().message + ")";
     return colors;
   }
   if (profile.value().kind != ProfileKind::cmyk) {
