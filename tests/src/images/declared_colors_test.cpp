@@ -321,7 +321,7 @@ class DeclaredColorsTest : public QObject {
     EXPECT_ERROR(decide(png(pngChunk("iCCP", std::string("x\0\0garbage", 10)))), "cannot be used");
     EXPECT_OK(decide(png(iccp("no profile")), "sRGB"));
     const std::string odd = profileOf(kRec2020, test::curveTag({461}), "studio");
-    EXPECT_ERROR(decide(png(iccp(odd.substr(0, odd.size() - 40)) + srgbChunk())),
+    EXPECT_ERROR(decide(png(iccp(odd.substr(0, odd.size() / 2)) + srgbChunk())),
                  "a.png: its ICC profile cannot be used (it is cut off); name the colour space of "
                  "the file, for example sRGB, as its sRGB chunk says");
     EXPECT_ERROR(
