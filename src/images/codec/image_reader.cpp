@@ -76,15 +76,6 @@ AlphaKind alphaKindOf(ImageFileKind kind, const OIIO::ImageSpec& spec) {
   return isStraight ? AlphaKind::straight : AlphaKind::associated;
 }
 
-// OpenImageIO calls the samples of a grey TIFF R and G where no tag says what the second one is.
-void nameUndeclared(ImageFileKind kind, OIIO::ImageSpec& spec) {
-  const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
-  const bool isGrey = photometric == 0 || photometric == 1;  // of white or of black as 0
-  if (kind != ImageFileKind::tiff || !isGrey || spec.nchannels != 2 || spec.alpha_channel >= 0)
-    return;
-  spec.channelnames = {"Y", "undeclared"};
-}
-
 Error noMemory(const std::string& place) {
   return resourceError(place, "not enough memory for the image; use a smaller one");
 }

@@ -112,6 +112,14 @@ bool needsRawColors(ImageFileKind kind, const OIIO::ImageSpec& spec) {
   return photometric == kSeparated || (photometric >= kCieLab && photometric <= kItuLab);
 }
 
+void nameUndeclared(ImageFileKind kind, OIIO::ImageSpec& spec) {
+  const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+  const bool isGrey = photometric == 0 || photometric == 1;  // of white or of black as 0
+  if (kind != ImageFileKind::tiff || !isGrey || spec.nchannels != 2 || spec.alpha_channel >= 0)
+    return;
+  spec.channelnames = {"Y", "undeclared"};
+}
+
 std::optional<StoredColors> storedColorsOf(ImageFileKind kind, const OIIO::ImageSpec& spec,
                                            const std::string& place) {
   if (kind == ImageFileKind::jpeg && isInkJpeg(spec)) return inkColors(spec, place);
