@@ -18,7 +18,7 @@
 
 namespace cutis {
 
-// Of a factor that a person or a file gives.
+// The largest factor that a person or a file may give.
 inline constexpr double kMostScale = 1000.0;
 
 // value → set, if given, else scaled + add.

@@ -30,7 +30,7 @@ struct FitRecord {
   bool discrepancy = false;  // whether that of the profile for this surface was estimated
 };
 
-// Of a fit with these options. Precondition: the method is refined.
+// What a fit with these options is described by. Precondition: the method is refined.
 FitRecord fitRecord(const Profile& profile, const Rig& rig, const FitOptions& options);
 
 // Channels and responses of one number, responses that are finite and not negative, proper noise

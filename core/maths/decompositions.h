@@ -3,7 +3,7 @@
 // Systems with symmetric matrices, solved in one place. Compiling Eigen's decompositions takes
 // longer than everything else in a file that uses one; these are compiled once.
 //
-// Of a symmetric matrix the lower triangle is read. NaN in, NaN out. Thread-safe.
+// Only the lower triangle of a symmetric matrix is read. NaN in, NaN out. Thread-safe.
 
 #include <Eigen/Core>
 

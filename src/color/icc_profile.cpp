@@ -1,5 +1,6 @@
 #include "src/color/icc_profile.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <lcms2.h>
@@ -19,6 +20,7 @@ namespace cutis {
 namespace {
 
 constexpr std::size_t kLongestDescription = 80;
+constexpr std::size_t kHeaderBytes = 128;
 constexpr int kGreySamples = 4096;
 
 std::string descriptionOf(cmsHPROFILE profile) {
@@ -84,7 +86,7 @@ class Reader {
     if (bytes_.size() > kLargestProfileBytes) return refused("it is larger than 16 MiB");
     library_ = std::make_shared<IccLibrary>();
     profile_ = library_->open(bytes_);
-    if (profile_ == nullptr) return refused(library_->complaint("it is damaged"));
+    if (profile_ == nullptr) return refused(whyItDoesNotOpen());
     description_ = descriptionOf(profile_);
     switch (cmsGetColorSpace(profile_)) {
       case cmsSigRgbData:
@@ -101,9 +103,22 @@ class Reader {
   }
 
  private:
-  Error refused(const std::string& reason) const {
-    const std::string name = description_.empty() ? "" : " '" + description_ + "'";
-    return inputError(place_, "the ICC profile" + name + " cannot be used (" + reason + ")");
+  Error refused(const std::string& reason) const { return inputError(place_, reason); }
+
+  // Shorter than its header says, or than a header (ICC.1:2022, §7.2).
+  bool isCutOff() const {
+    std::size_t length = 0;
+    for (const char byte : bytes_.substr(0, 4))
+      length = length << 8 | static_cast<unsigned char>(byte);
+    return bytes_.size() < std::max(length, kHeaderBytes);
+  }
+
+  std::string whyItDoesNotOpen() const {
+    constexpr std::size_t kMarkAt = 36;
+    if (bytes_.empty()) return "it cannot be unpacked";
+    if (bytes_.size() >= kHeaderBytes && bytes_.substr(kMarkAt, 4) != "acsp")
+      return "it does not begin like an ICC profile";
+    return isCutOff() ? "it is cut off" : "it is damaged";
   }
 
   std::string nameOf() const {
@@ -131,7 +146,8 @@ class Reader {
       const auto* xyz = static_cast<const cmsCIEXYZ*>(cmsReadTag(profile_, columns[c]));
       const auto* tone = static_cast<const cmsToneCurve*>(cmsReadTag(profile_, curves[c]));
       if (xyz == nullptr || tone == nullptr)
-        return refused(library_->complaint("it has neither a matrix with curves nor a table"));
+        return refused(isCutOff() ? "it is cut off"
+                                  : "it has neither a matrix with curves nor a table");
       colorants.col(static_cast<Eigen::Index>(c)) << xyz->X, xyz->Y, xyz->Z;
       space.curves[c] = curveOf(tone);
       if (!space.curves[c].isRising()) return refused("a curve of it does not rise");

@@ -4,7 +4,8 @@
 //
 // The relative colorimetric intent, without black point compensation: the profile's white is white.
 // A profile with a table is followed by the table, as the standard demands; its way back is the
-// numerical inverse of the same table. Errors say what LittleCMS does not like. Thread-safe.
+// numerical inverse of the same table. Errors say
+// why it cannot be used, as a clause: "it is cut off". Thread-safe.
 
 #include <span>
 #include <string>

@@ -18,12 +18,6 @@ constexpr float kDifference = 1.0f / 512.0f;
 constexpr int kMostSteps = 24;
 constexpr double kCloseEnough = 1e-5;  // tables are of 16 bits
 
-void remember(cmsContext context, cmsUInt32Number, const char* text) {
-  auto* complaint = static_cast<std::string*>(cmsGetContextUserData(context));
-  *complaint = std::string(text).substr(0, 120);
-  std::erase_if(*complaint, [](unsigned char c) { return c < 0x20; });
-}
-
 cmsUInt32Number formatOf(int channels) {
   if (channels == 1) return TYPE_GRAY_FLT;
   return channels == 4 ? TYPE_CMYK_FLT : TYPE_RGB_FLT;
@@ -44,9 +38,7 @@ Eigen::Vector3d vectorOf(const Triple& value) {
 
 }  // namespace
 
-IccLibrary::IccLibrary() : context_(cmsCreateContext(nullptr, &complaint_)) {
-  cmsSetLogErrorHandlerTHR(context_, remember);
-}
+IccLibrary::IccLibrary() : context_(cmsCreateContext(nullptr, nullptr)) {}
 
 IccLibrary::~IccLibrary() {
   for (cmsHPROFILE profile : profiles_)
@@ -59,10 +51,6 @@ cmsHPROFILE IccLibrary::open(std::string_view bytes) {
       cmsOpenProfileFromMemTHR(context_, bytes.data(), static_cast<cmsUInt32Number>(bytes.size()));
   if (profile != nullptr) profiles_.push_back(profile);
   return profile;
-}
-
-std::string IccLibrary::complaint(const std::string& otherwise) const {
-  return complaint_.empty() ? otherwise : complaint_;
 }
 
 Result<std::shared_ptr<const IccTable>> IccTable::open(std::shared_ptr<IccLibrary> library,
@@ -84,8 +72,7 @@ Result<std::shared_ptr<const IccTable>> IccTable::open(std::shared_ptr<IccLibrar
   }
   cmsCloseProfile(xyz);
   if (table->forward_ == nullptr) {
-    return inputError("", "the ICC profile cannot be used (" +
-                              table->library_->complaint("it has no table that can be read") + ")");
+    return inputError("", "it has no table that can be read");
   }
   return std::shared_ptr<const IccTable>(std::move(table));
 }

@@ -15,8 +15,8 @@
 
 namespace cutis {
 
-// A context of LittleCMS of our own, so that what it complains of stays with us, and the profiles
-// that were opened in it. Opening is for one thread.
+// A context of LittleCMS of our own, so that it complains nowhere else, and the profiles that were
+// opened in it. Opening is for one thread.
 class IccLibrary {
  public:
   IccLibrary();
@@ -27,13 +27,10 @@ class IccLibrary {
   // Null if it is no profile. Lives as long as this.
   cmsHPROFILE open(std::string_view bytes);
   cmsContext context() const { return context_; }
-  // The last complaint, else the given words.
-  std::string complaint(const std::string& otherwise) const;
 
  private:
   cmsContext context_ = nullptr;
   std::vector<cmsHPROFILE> profiles_;
-  std::string complaint_;
 };
 
 // From numbers of a device (1 grey, 3 RGB, 4 CMYK), 0 to 1, to linear Rec.709 and, for RGB, back.

@@ -61,6 +61,29 @@ std::vector<float> grid() {
   return rgb;
 }
 
+// As people call them; empty where they have no name. Spaces of one name are one space, so that
+// nothing is taken for what it only resembles.
+std::string nameOfPrimaries(const std::array<double, 8>& chromaticities) {
+  constexpr double kSamePlace = 5e-5;
+  using Known = std::pair<const char*, std::array<double, 8>>;
+  static const std::array<Known, 10> known = {
+      {{"Rec.709", kRec709.chromaticities},
+       {"Rec.2020", kRec2020.chromaticities},
+       {"P3-D65", kP3D65.chromaticities},
+       {"DCI-P3", {0.680, 0.320, 0.265, 0.690, 0.150, 0.060, 0.314, 0.351}},
+       {"Adobe RGB", kAdobeRgb.chromaticities},
+       {"ACES AP0", kAces2065.chromaticities},
+       {"ACES AP1", kAcesCg.chromaticities},
+       {"SMPTE-C", {0.630, 0.340, 0.310, 0.595, 0.155, 0.070, 0.3127, 0.3290}},
+       {"XYZ under E", {1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0 / 3.0, 1.0 / 3.0}},
+       {"XYZ under D65", {1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.3127, 0.3290}}}};
+  const auto found = std::find_if(known.begin(), known.end(), [&](const Known& entry) {
+    return std::equal(chromaticities.begin(), chromaticities.end(), entry.second.begin(),
+                      [](double a, double b) { return std::abs(a - b) <= kSamePlace; });
+  });
+  return found == known.end() ? "" : found->first;
+}
+
 std::string descriptionOf(const std::array<double, 8>& chromaticities, const TransferCurve& curve) {
   std::string text = curve.isLinear() ? "linear" : "curved";
   if (!curve.formulaName().empty()) text = curve.formulaName();
@@ -68,6 +91,8 @@ std::string descriptionOf(const std::array<double, 8>& chromaticities, const Tra
     text = p->g == 1.0 ? "linear" : "gamma " + formatNumber(p->g, 4);
   }
   text += " RGB of the primaries";
+  if (const std::string known = nameOfPrimaries(chromaticities); !known.empty())
+    return text + " of " + known;
   for (const double value : chromaticities)
     text += " " + formatNumber(value, 4);
   return text;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/half.h"
+#include "core/base/word_list.h"
 #include "src/images/codec/image_reader.h"
 #include "src/images/codec/oiio_text.h"
 
@@ -266,9 +267,44 @@ void copyLayout(const OIIO::ImageSpec& from, const Layout& layout, OIIO::ImageSp
   to.erase_attribute("textureformat");
 }
 
-bool losesNothing(std::string_view compression) {
+// Without the level that may follow: "dwaa" of "dwaa:45".
+std::string compressionOf(const OIIO::ImageSpec& spec) {
+  const std::string compression(spec.get_string_attribute("compression", "zip"));
+  return compression.substr(0, compression.find(':'));
+}
+
+bool losesNothing(const OIIO::ImageSpec& spec) {
   constexpr std::array<std::string_view, 5> kLossless = {"none", "rle", "zips", "zip", "piz"};
+  const std::string compression = compressionOf(spec);
+  if (compression == "pxr24") {  // of a float it drops 8 bits
+    for (int c = 0; c < spec.nchannels; ++c) {
+      if (spec.channelformat(c) == OIIO::TypeFloat) return false;
+    }
+    return true;
+  }
   return std::find(kLossless.begin(), kLossless.end(), compression) != kLossless.end();
+}
+
+// As the source, unless that would lose something of what is written.
+void setCompression(const OIIO::ImageSpec& source, OIIO::ImageSpec& spec) {
+  spec.attribute("compression", compressionOf(source));
+  if (!losesNothing(spec)) spec.attribute("compression", "zip");
+}
+
+void sayChangedCompressions(ImageReader& reader, const std::vector<OutputPart>& parts,
+                            const std::vector<int>& indices, const std::string& place,
+                            const JobContext& context) {
+  std::vector<std::string> changed;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string before = compressionOf(reader.levelSpec(indices[i], 0));
+    const bool isSame = before == compressionOf(parts[i].spec);
+    if (!isSame && std::find(changed.begin(), changed.end(), before) == changed.end())
+      changed.push_back(before);
+  }
+  if (changed.empty()) return;
+  context.say(place + ": the source is compressed with " + wordList(changed, " and ") +
+              ", which would lose something at each writing; zip, which loses nothing, is "
+              "written instead");
 }
 
 // Of a part that is copied as it is.
@@ -277,8 +313,7 @@ OIIO::ImageSpec copiedSpec(const OIIO::ImageSpec& source, const Layout& layout) 
   for (const char* ofTheFile : {"oiio:subimages", "openexr:chunkCount", "openexr:lineOrder"})
     spec.erase_attribute(ofTheFile);
   copyLayout(source, layout, spec);
-  const std::string compression(spec.get_string_attribute("compression", "zip"));
-  if (!losesNothing(compression)) spec.attribute("compression", "zip");
+  setCompression(source, spec);
   return spec;
 }
 
@@ -297,6 +332,7 @@ OIIO::ImageSpec editedSpec(const OIIO::ImageSpec& spec, const OIIO::ImageSpec& s
   for (const int color : colors)
     edited.channelformats[static_cast<std::size_t>(color)] = oiioType(type);
   copyLayout(source, layout, edited);
+  setCompression(source, edited);
   return edited;
 }
 
@@ -359,6 +395,7 @@ Result<ExrEdition> makeExrEdition(const ImageContent& content, const OIIO::Image
     }
     edition.parts.push_back(std::move(part));
   }
+  sayChangedCompressions(*reader, edition.parts, layout.parts, place, context);
   return edition;
 }
 

@@ -60,7 +60,9 @@ struct ImageHeader {
   Orientation orientation = Orientation::upright;
   // The part that was read, and which of its channels are colours and alpha.
   ImageLayer layer;
-  bool hasFurtherParts = false;   // or pages, of which nothing was read
+  // Where none was chosen: further layers with colours that could be meant as well.
+  std::vector<ImageLayer> otherLayers;
+  bool hasFurtherParts = false;   // or pages or frames, of which nothing was read
   bool hasSmallerLevels = false;  // of the same picture
   bool isWidenedGrey = false;     // R, G and B stand for the one channel Y of the file
   float pixelAspect = 1.0f;       // width of a pixel as a multiple of its height
@@ -72,6 +74,9 @@ struct ImageHeader {
   FileColors colors;
   ImageMetadata metadata;
 
+  // Whether nothing tells which of several layers is meant: none was chosen, and none has plain
+  // channels. The first of them is only a guess.
+  bool isLayerOpen() const;
   // -1 if there is none of that name.
   int channelIndex(std::string_view name) const;
 };
@@ -82,7 +87,8 @@ struct Image : ImageHeader {
   std::string contentHash;
 };
 
-// layer: a name of listLayers(); empty: the first with plain R, G and B, else the first part.
+// layer: a name of listLayers(); empty: the first with plain R, G and B, else the first with
+// colours, else the first.
 Result<ImageHeader> readImageHeader(const std::filesystem::path& path, const JobContext& context,
                                     const std::string& layer = {});
 
@@ -99,6 +105,8 @@ struct ImageReadOptions {
   const PreviewSink* preview = nullptr;
 };
 
+// Notices say what was decided without being asked and what stays unread. Whoever reads without a
+// choice of the layer refuses a picture whose isLayerOpen().
 Result<Image> readImage(const std::filesystem::path& path, const ImageReadOptions& options,
                         const std::shared_ptr<TileStore>& store, const JobContext& context);
 

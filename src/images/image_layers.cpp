@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "core/base/echoed_text.h"
 #include "core/base/word_list.h"
@@ -81,6 +83,19 @@ std::string shownName(const ImageLayer& layer) {
   return wordList(layer.channelNames, ", ");
 }
 
+LayerChoice usualLayer(const std::vector<ImageLayer>& layers) {
+  std::vector<ImageLayer> plain, colored;
+  for (const ImageLayer& layer : layers) {
+    if (layer.colors) (layer.prefix.empty() ? plain : colored).push_back(layer);
+  }
+  std::vector<ImageLayer>& meant = plain.empty() ? colored : plain;
+  if (meant.empty()) return {layers.front(), {}};
+  LayerChoice choice = {std::move(meant.front()), {}};
+  choice.others.assign(std::make_move_iterator(meant.begin() + 1),
+                       std::make_move_iterator(meant.end()));
+  return choice;
+}
+
 }  // namespace
 
 Result<std::vector<ImageLayer>> layersOf(ImageReader& reader) {
@@ -103,22 +118,17 @@ Result<std::vector<ImageLayer>> layersOf(ImageReader& reader) {
   return layers;
 }
 
-Result<ImageLayer> chooseLayer(const std::vector<ImageLayer>& layers, const std::string& name,
-                               const std::string& place) {
-  if (name.empty()) {
-    const auto plain = std::find_if(layers.begin(), layers.end(), [](const ImageLayer& layer) {
-      return layer.prefix.empty() && layer.colors;
-    });
-    return plain == layers.end() ? layers.front() : *plain;
-  }
+Result<LayerChoice> chooseLayer(const std::vector<ImageLayer>& layers, const std::string& name,
+                                const std::string& place) {
+  if (name.empty()) return usualLayer(layers);
   const auto named = std::find_if(layers.begin(), layers.end(),
                                   [&](const ImageLayer& layer) { return layer.name == name; });
-  if (named != layers.end()) return *named;
+  if (named != layers.end()) return LayerChoice{*named, {}};
   // Without its part, where that is enough to tell it from the others.
   const auto isMeant = [&](const ImageLayer& layer) { return ownName(layer) == name; };
   const auto meant = std::find_if(layers.begin(), layers.end(), isMeant);
   if (meant != layers.end() && std::count_if(layers.begin(), layers.end(), isMeant) == 1) {
-    return *meant;
+    return LayerChoice{*meant, {}};
   }
   return inputError(
       place, "there is no layer " + inQuotes(name) + " in this file; it has " + layerNames(layers));

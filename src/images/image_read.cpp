@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/base/echoed_text.h"
 #include "src/images/codec/image_reader.h"
 #include "src/images/codec/metadata_access.h"
 #include "src/images/color/file_colors.h"
@@ -35,17 +36,17 @@ Rect inPicture(const Rect& rect, const ImagePart& part) {
 
 struct OpenedPart {
   ImagePart part;
-  ImageLayer layer;
+  LayerChoice choice;
 };
 
 Result<OpenedPart> openPart(ImageReader& reader, const std::string& name, bool overscan,
                             Rect& display) {
   CUTIS_TRY(layers, layersOf(reader));
-  CUTIS_TRY(layer, chooseLayer(layers, name, reader.place()));
-  CUTIS_TRY(part, reader.part(layer.part));
+  CUTIS_TRY(choice, chooseLayer(layers, name, reader.place()));
+  CUTIS_TRY(part, reader.part(choice.layer.part));
   display = part.window;
   if (overscan) CUTIS_CHECK(reader.includeOverscan(part));
-  return OpenedPart{std::move(part), std::move(layer)};
+  return OpenedPart{std::move(part), std::move(choice)};
 }
 
 void fillHeader(const std::filesystem::path& path, const OpenedPart& opened, const Rect& display,
@@ -58,7 +59,8 @@ void fillHeader(const std::filesystem::path& path, const OpenedPart& opened, con
   header.frame = {inPicture(display, part), inPicture(part.stored, part), part.window.x0,
                   part.window.y0};
   header.orientation = part.orientation;
-  header.layer = opened.layer;
+  header.layer = opened.choice.layer;
+  header.otherLayers = opened.choice.others;
   header.hasFurtherParts = reader.partCount() > 1 || reader.hasFurtherPages();
   header.hasSmallerLevels = reader.levelCount(part.index) > 1;
   if (reader.kind() == ImageFileKind::openExr) {
@@ -66,12 +68,42 @@ void fillHeader(const std::filesystem::path& path, const OpenedPart& opened, con
   }
   header.alphaKind = part.alphaKind;
   header.channelNames = part.spec.channelnames;
-  header.sourceType = widestOf(part, opened.layer.channelNames);
+  header.sourceType = widestOf(part, opened.choice.layer.channelNames);
   header.colors = fileColors(path, reader.kind(), part);
   header.metadata = MetadataAccess::from(part.spec);
 }
 
+// What was decided without being asked, and what of the file stays unread.
+void sayWhatIsRead(const ImageHeader& header, bool isLayerChosen, const JobContext& context) {
+  const std::string place = header.file.string();
+  const ImageLayer& layer = header.layer;
+  if (!header.otherLayers.empty()) {
+    context.say(place + ": " + inQuotes(layer.name) + " is read; " +
+                layerNames(header.otherLayers) +
+                (header.otherLayers.size() == 1 ? " has" : " have") +
+                " colours, too, and can be chosen as the layer");
+  } else if (!isLayerChosen && layer.colors && !layer.prefix.empty()) {
+    context.say(place + ": the layer " + inQuotes(layer.name) +
+                " is read, the only one with colours");
+  }
+  if (header.kind == ImageFileKind::webP && header.hasFurtherParts) {
+    context.say(place + ": this is an animation; its first frame alone is read");
+  } else if (header.kind != ImageFileKind::openExr && header.hasFurtherParts) {
+    context.say(place + ": the file has several pages; the first alone is read");
+  }
+  if (header.kind == ImageFileKind::webP && layer.alpha >= 0) {
+    context.say(place +
+                ": where alpha is below 1, colours of a WebP file are read multiplied by it in 8 "
+                "bits, which rounds them, and takes them away where it is 0; save it as PNG to "
+                "keep them");
+  }
+}
+
 }  // namespace
+
+bool ImageHeader::isLayerOpen() const {
+  return !layer.prefix.empty() && !otherLayers.empty();
+}
 
 int ImageHeader::channelIndex(std::string_view name) const {
   const auto found = std::find(channelNames.begin(), channelNames.end(), name);
@@ -96,6 +128,7 @@ Result<Image> readImage(const std::filesystem::path& path, const ImageReadOption
   Image image;
   fillHeader(path, opened, display, reader, image);
   if (options.accept) CUTIS_CHECK(options.accept(image));
+  sayWhatIsRead(image, !options.layer.empty(), context);
   CUTIS_TRY(hash, hashFile(path, context));
   image.contentHash = hash;
   const ImagePart& part = opened.part;

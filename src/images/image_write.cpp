@@ -144,6 +144,12 @@ void sayLosses(const WriteLosses& losses, SampleType type, const std::string& pl
     context.say(place + ": the values of " + pixelCount(losses.clipped) + " lie beyond what " +
                 sampleTypeName(type) + " samples hold and were clipped");
   }
+  if (losses.noNumbers > 0) {
+    context.say(place + ": " + pixelCount(losses.noNumbers) +
+                (losses.noNumbers == 1 ? " has a value that is" : " have values that are") +
+                " no number (NaN), which " + sampleTypeName(type) +
+                " samples do not have, and became 0");
+  }
   if (losses.hiddenColors > 0) {
     context.say(place + ": " + pixelCount(losses.hiddenColors) +
                 " with alpha 0 have a colour, which was kept as it is");
@@ -156,7 +162,10 @@ void sayLeftOut(const ImageContent& content, const std::string& place, const Job
   const bool isExr = source.kind == ImageFileKind::openExr;
   if (source.hasFurtherParts) {
     context.say(place + ": only what was opened of the source is written; its other " +
-                (isExr ? "parts" : "pages") + " are left out");
+                (isExr                                ? "parts"
+                 : source.kind == ImageFileKind::webP ? "frames"
+                                                      : "pages") +
+                " are left out");
   }
   if (source.hasSmallerLevels) {
     context.say(place + ": the smaller levels of the source are left out");
@@ -273,7 +282,7 @@ Status writeEdition(const std::filesystem::path& path, const ImageContent& conte
   return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Status {
     CUTIS_CHECK(
         writeParts(temporary, place, format.kind, type, edition.parts, edition.plain, {}, context));
-    sayLosses({*edition.clipped, 0}, type, place, context);
+    sayLosses({.clipped = *edition.clipped}, type, place, context);
     return {};
   });
 }

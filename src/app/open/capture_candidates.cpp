@@ -25,6 +25,11 @@ Result<std::array<std::size_t, 3>> colorChannels(const ImageHeader& header) {
     return inputError(header.file.string(),
                       "it has no red, green and blue; choose colour photographs");
   }
+  if (header.isLayerOpen()) {
+    return inputError(header.file.string(),
+                      "it has several layers with colours and no plain channels R, G and B; choose "
+                      "photographs of one layer");
+  }
   std::array<std::size_t, 3> channels = {};
   for (std::size_t c = 0; c < 3; ++c)
     channels[c] = static_cast<std::size_t>((*header.layer.colors)[c]);

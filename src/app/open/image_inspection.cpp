@@ -47,7 +47,7 @@ LayerInspection inspectLayer(const ImageLayer& layer, const ImageHeader& header,
 }  // namespace
 
 bool ImageInspection::opensByItself() const {
-  return layers[usualLayer].hasColors && layers[usualLayer].isDecided;
+  return isLayerDecided && layers[usualLayer].hasColors && layers[usualLayer].isDecided;
 }
 
 Result<ImageInspection> inspectImage(const std::filesystem::path& path, const JobContext& context) {
@@ -63,6 +63,7 @@ Result<ImageInspection> inspectImage(const std::filesystem::path& path, const Jo
   CUTIS_TRY(layers, listLayers(path, context));
   ImageInspection inspection;
   inspection.format = describeFormat(usual);
+  inspection.isLayerDecided = !usual.isLayerOpen();
   inspection.colorSpaces = colorSpaceNames();
   for (const ImageLayer& layer : layers) {
     if (layer.name == usual.layer.name) inspection.usualLayer = inspection.layers.size();

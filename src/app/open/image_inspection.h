@@ -27,6 +27,7 @@ struct ImageInspection {
   std::string format;  // "PNG, 24 × 32 pixels, 16-bit integers, with straight alpha"
   std::vector<LayerInspection> layers;   // at least one, in the order of the file
   std::size_t usualLayer = 0;            // which is read if none is chosen
+  bool isLayerDecided = true;            // whether the file tells which layer is meant
   std::vector<std::string> colorSpaces;  // that can be chosen
 
   // Whether it opens without anybody's choice.

@@ -85,6 +85,8 @@ Status writeFitReport(const std::filesystem::path& path, const FittedSource& fit
                      {"write", seconds.write}};
   root["residual"] = {{"mean", statistics.meanResidual}, {"p95", statistics.residual95}};
   root["gamut"] = gamutFigures(fitted);
+  if (fitted.source->image && !fitted.source->image->layer.name.empty())
+    root["layer"] = fitted.source->image->layer.name;
   if (fitted.source->image) root["colours"] = colorFigures(*fitted.source);
   if (fitted.outsideDiffusion) root["outside_diffusion_share"] = *fitted.outsideDiffusion;
   if (fitted.source->surface.specularShare > 0.0)

@@ -72,9 +72,6 @@ const json* JsonValue::find(const std::string& key) const {
 bool JsonValue::isObject() const {
   return node_->is_object();
 }
-bool JsonValue::isArray() const {
-  return node_->is_array();
-}
 bool JsonValue::has(const std::string& key) const {
   return find(key) != nullptr;
 }

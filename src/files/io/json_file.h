@@ -25,7 +25,6 @@ class JsonValue {
  public:
   // Precondition for getters with a key: isObject().
   bool isObject() const;
-  bool isArray() const;
   bool has(const std::string& key) const;
   bool isNull(const std::string& key) const;  // there, and null
   // Names of all fields, sorted.

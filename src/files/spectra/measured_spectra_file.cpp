@@ -68,6 +68,7 @@ class MeasuredReader {
                         "the reflectance " + formatNumber(value) +
                             " is negative; correct it or leave its wavelength out");
     }
+    if (layout().cell(s, first_ + w).ends_with('%')) cellsSayPercent_ = true;
     spectra_.reflectances[s * count() + w] = value;
     return {};
   }
@@ -92,42 +93,70 @@ class MeasuredReader {
                       "the reflectance " + formatNumber(spectra_.reflectances[index]) + what);
   }
 
-  // Shares or percent, by what most values can be.
+  static bool isLarge(double value) { return value > kMostReflectance; }
+
+  // Percent where the file declares it, else by what most values can be. Cells with a sign of their
+  // own have become shares.
   Status decideScale() {
-    std::vector<double>& values = spectra_.reflectances;
-    const auto isLarge = [](double value) { return value > kMostReflectance; };
+    const std::vector<double>& values = spectra_.reflectances;
     const auto large =
         static_cast<std::size_t>(std::count_if(values.begin(), values.end(), isLarge));
-    if (large == 0) {
-      if (layout().saysPercent) {
-        context_.say(place_ + ": a heading names percent, but no value is above " +
-                     formatNumber(kMostReflectance) + ": they are read as shares from 0 to 1");
-      }
-      return {};
-    }
+    if (!layout().percentPlace.empty() && !cellsSayPercent_) return takeDeclaredPercent(large);
+    if (large == 0) return {};
     if (2 * large <= values.size()) {
       const auto first = std::find_if(values.begin(), values.end(), isLarge);
       return notLikeOthers(static_cast<std::size_t>(first - values.begin()),
                            " is not a share from 0 to 1 as most others are; correct it");
     }
     CUTIS_CHECK(checkPercent());
-    for (double& value : values)
-      value /= kPercent;
-    context_.say(place_ + ": reflectances are read as percent");
+    takeAsPercent();
+    context_.say(place_ + ": reflectances are read as percent, since most are above " +
+                 formatNumber(kMostReflectance));
     return {};
   }
 
-  // Each spectrum is in percent, and none has more than a diffuser reflects.
-  Status checkPercent() const {
+  Status takeDeclaredPercent(std::size_t large) {
+    CUTIS_CHECK(checkPossible());
+    takeAsPercent();
+    std::string sentence =
+        layout().percentPlace + ": reflectances are read as percent, as declared";
+    if (large == 0) {
+      sentence += " here, though none is above " + formatNumber(kMostReflectance) +
+                  " %; if they are shares from 0 to 1, correct this line";
+    }
+    context_.say(sentence);
+    return {};
+  }
+
+  void takeAsPercent() {
+    for (double& value : spectra_.reflectances)
+      value /= kPercent;
+  }
+
+  std::size_t largestOf(std::size_t spectrum) const {
     const std::vector<double>& values = spectra_.reflectances;
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(spectrum * count());
+    const auto most = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(count()));
+    return static_cast<std::size_t>(most - values.begin());
+  }
+
+  // None has more than a diffuser reflects.
+  Status checkPossible() const {
     for (std::size_t s = 0; s < spectra_.ids.size(); ++s) {
-      const auto begin = values.begin() + static_cast<std::ptrdiff_t>(s * count());
-      const auto most = std::max_element(begin, begin + static_cast<std::ptrdiff_t>(count()));
-      const auto index = static_cast<std::size_t>(most - values.begin());
-      if (*most > kPercent * kMostReflectance) {
+      const std::size_t index = largestOf(s);
+      if (spectra_.reflectances[index] > kPercent * kMostReflectance) {
         return notLikeOthers(index, " is neither a share from 0 to 1 nor percent; correct it");
       }
-      if (*most <= kMostReflectance) {
+    }
+    return {};
+  }
+
+  // Each spectrum is in percent.
+  Status checkPercent() const {
+    CUTIS_CHECK(checkPossible());
+    for (std::size_t s = 0; s < spectra_.ids.size(); ++s) {
+      const std::size_t index = largestOf(s);
+      if (!isLarge(spectra_.reflectances[index])) {
         return notLikeOthers(index,
                              " is the largest of its spectrum, where other spectra are in percent; "
                              "write all of them alike");
@@ -142,6 +171,7 @@ class MeasuredReader {
   const std::size_t fewest_;
   const JobContext& context_;
   std::size_t first_ = 0;  // of the wavelengths within the range
+  bool cellsSayPercent_ = false;
   MeasuredSpectra spectra_;
 };
 

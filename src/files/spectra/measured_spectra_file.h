@@ -3,19 +3,20 @@
 // Measured reflectance spectra as instruments and spreadsheets write them.
 //
 // Comma-, semicolon- or tab-separated values (RFC 4180), columns set by blanks, or CGATS; UTF-8 or
-// UTF-16; decimal points or commas. One spectrum a row or one a column, at any distances, from
-// short to long wavelengths or back. Wavelengths are in nm, or in the unit that a heading names
-// (µm, Å); they stand in the first row or in the first column, whichever reads as wavelengths
-// (numbers from 100, "380 nm", "Spectral Data 380[nm]"); where both do, in the row, unless the
-// first field says "wavelength" or "nm". Text that instruments write above or below is passed over.
+// UTF-16, else Windows-1252, with a notice; decimal points or commas. One spectrum a row or one a
+// column, at any distances, from short to long wavelengths or back. Wavelengths are in nm, or in
+// the unit that a heading names (µm, Å); they stand in the first row or in the first column,
+// whichever reads as wavelengths (numbers from 100, "380 nm", "Spectral Data 380[nm]"); where both
+// do, in the row, unless the first field says "wavelength" or "nm". Text that instruments write
+// above or below is passed over.
 //
 // A row's leading columns whose heading is no number name the spectrum: the one called id, name,
 // sample, subject, record or label, else the first. In columns the heading holds the names. Spectra
 // without a name are numbered from 1. Comments, quotes and line ends are as in src/files/io/csv.h.
 //
-// Values are shares of the perfect diffuser, or percent where most are above kMostReflectance,
-// which a notice says. Notices say, too, what of a file was left out, and question files whose
-// heading speaks of emitted light.
+// Values are shares of the perfect diffuser, or percent where a heading, a unit or a line above
+// declares it, else where most are above kMostReflectance; a notice says which. Notices say, too,
+// what of a file was left out, and question files whose heading speaks of emitted light.
 
 #include <filesystem>
 #include <string>

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/files/spectra/cgats.h"
+#include "src/files/spectra/percent_words.h"
 #include "src/files/spectra/text_encoding.h"
 
 namespace cutis {
@@ -27,8 +28,8 @@ Result<CsvTable> fieldsOfText(std::string_view text, NumberFormat& numbers,
 Result<SpectraText> takeApart(std::string bytes, const LayoutOptions& options,
                               const std::string& place) {
   SpectraText result;
-  CUTIS_TRY(text, decodedText(std::move(bytes), place));
-  result.text = std::make_unique<const std::string>(std::move(text));
+  CUTIS_TRY(decoded, decodedText(std::move(bytes), place));
+  result.text = std::make_unique<const std::string>(std::move(decoded.text));
   LayoutOptions asked = options;
   std::size_t tables = 1;
   if (isCgats(*result.text)) {
@@ -43,9 +44,17 @@ Result<SpectraText> takeApart(std::string bytes, const LayoutOptions& options,
   }
   CUTIS_TRY(layout, findLayout(result.table, result.numbers, asked, place));
   result.layout = std::move(layout);
+  SpectralLayout& found = result.layout;
+  if (found.percentPlace.empty()) {
+    if (const auto line = percentLineAbove(*result.text, found.firstLine()))
+      found.percentPlace = place + ":" + std::to_string(*line);
+  }
+  if (decoded.isGuessed) {
+    found.notes.push_back(place + ": the text is not UTF-8 and is read as Windows-1252");
+  }
   if (tables > 1) {
-    result.layout.notes.push_back(place + ": of " + std::to_string(tables) +
-                                  " tables of spectra the first is read");
+    found.notes.push_back(place + ": of " + std::to_string(tables) +
+                          " tables of spectra the first is read");
   }
   return result;
 }

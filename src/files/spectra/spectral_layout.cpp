@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/number_text.h"
+#include "src/files/spectra/percent_words.h"
 
 namespace cutis {
 
@@ -120,6 +121,10 @@ class LayoutFinder {
       --end;
     }
     noteLeftOut(header, end);
+    if (std::any_of(header.fields.begin(),
+                    header.fields.begin() + static_cast<std::ptrdiff_t>(first), declaresPercent)) {
+      layout_.percentPlace = layout_.headerPlace;
+    }
     std::vector<Found> found;
     for (std::size_t c = first; c < end; ++c) {
       const auto wavelength = wavelengthOf(header.fields[c], format_);
@@ -357,9 +362,8 @@ class LayoutFinder {
         counts.emplace_back(name);
         continue;
       }
-      if (unit.find('%') != std::string_view::npos || name.find('%') != std::string_view::npos) {
-        layout_.saysPercent = true;
-      }
+      if (declaresPercent(name)) layout_.percentPlace = layout_.headerPlace;
+      if (declaresPercent(unit)) layout_.percentPlace = at(row(firstRow_ - 1));
       layout_.spectrumColumns_.push_back(c);
       layout_.names.emplace_back(name);
     }

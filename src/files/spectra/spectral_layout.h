@@ -24,7 +24,7 @@ class SpectralLayout {
   std::vector<std::string> names;     // one per spectrum; may be empty
   std::string headerPlace;            // "file:line"
   std::vector<std::string> notes;     // sentences on what was left out
-  bool saysPercent = false;           // in a heading or a unit
+  std::string percentPlace;           // "file:line" that declares percent; may be empty
 
   std::size_t wavelengthCount() const { return wavelengthsNm.size(); }
   std::size_t spectrumCount() const { return names.size(); }

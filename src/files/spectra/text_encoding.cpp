@@ -1,8 +1,10 @@
 #include "src/files/spectra/text_encoding.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace cutis {
 namespace {
@@ -72,6 +74,48 @@ std::string utf8Of(std::string_view bytes, ByteOrder order) {
   return text;
 }
 
+// How many bytes the character has that begins here; 0 if it is none (RFC 3629, §4).
+std::size_t characterAt(std::string_view bytes, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[at + i]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || at + length > bytes.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  const unsigned second = byte(1);
+  const bool tooLong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool isSurrogate = first == 0xED && second > 0x9F;
+  const bool isBeyond = first == 0xF4 && second > 0x8F;
+  return tooLong || isSurrogate || isBeyond ? 0 : length;
+}
+
+bool isUtf8(std::string_view bytes) {
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t length = characterAt(bytes, at);
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
+
+// As the WHATWG Encoding Standard has it: bytes without a character are controls.
+std::string ofWindows1252(std::string_view bytes) {
+  constexpr std::array<char16_t, 32> kFrom0x80 = {
+      0x20AC, 0x0081, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+      0x2039, 0x0152, 0x008D, 0x017D, 0x008F, 0x0090, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+      0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x009D, 0x017E, 0x0178};
+  std::string text;
+  text.reserve(bytes.size() + bytes.size() / 16);
+  for (const char c : bytes) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool isOwn = code >= 0x80 && code < 0xA0;
+    appendUtf8(text, isOwn ? char32_t{kFrom0x80[code - 0x80U]} : char32_t{code});
+  }
+  return text;
+}
+
 bool isControl(char c) {
   const auto code = static_cast<unsigned char>(c);
   constexpr std::string_view kUsual = "\t\n\v\f\r\x1A";
@@ -96,12 +140,13 @@ std::string_view foreignKind(std::string_view text) {
 
 }  // namespace
 
-Result<std::string> decodedText(std::string bytes, const std::string& place) {
+Result<DecodedText> decodedText(std::string bytes, const std::string& place) {
   if (const auto order = utf16OrderOf(bytes)) bytes = utf8Of(bytes, *order);
   if (const std::string_view kind = foreignKind(bytes); !kind.empty()) {
     return inputError(place, std::string(kind));
   }
-  return bytes;
+  if (isUtf8(bytes)) return DecodedText{std::move(bytes), false};
+  return DecodedText{ofWindows1252(bytes), true};
 }
 
 }  // namespace cutis

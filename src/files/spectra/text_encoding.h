@@ -8,10 +8,15 @@
 
 namespace cutis {
 
-// UTF-8 with or without a byte order mark stays as it is, and so do the one-byte encodings, whose
-// letters beyond ASCII are not told apart. UTF-16 of either byte order, with a mark or recognised
-// by the zeros between its letters, becomes UTF-8. Fails for what is no text, and says what it is.
-// `place` stands in front. Pure.
-Result<std::string> decodedText(std::string bytes, const std::string& place);
+struct DecodedText {
+  std::string text;        // UTF-8
+  bool isGuessed = false;  // was no UTF-8 and was read as Windows-1252
+};
+
+// UTF-8 with or without a byte order mark stays as it is. UTF-16 of either byte order, with a mark
+// or recognised by the zeros between its letters, becomes UTF-8. What is neither is read as
+// Windows-1252, of which Latin-1 is a part. Fails for what is no text, and says what it is. `place`
+// stands in front. Pure.
+Result<DecodedText> decodedText(std::string bytes, const std::string& place);
 
 }  // namespace cutis

@@ -27,21 +27,28 @@ Status checkRig(const Rig& rig) {
                         inQuotes(rig.name) + " is not; use the rig 'albedo' or name a capture");
 }
 
+Status checkLayer(const ImageHeader& image, const std::string& place) {
+  if (!image.isLayerOpen()) return {};
+  std::vector<ImageLayer> meant = image.otherLayers;
+  meant.insert(meant.begin(), image.layer);
+  return inputError(kLayerChoice, inQuotes(place) + " has no plain channels R, G and B, but " +
+                                      layerNames(meant) + " have colours; choose one of them");
+}
+
 Status checkHasColors(const ImageHeader& image, const std::vector<ImageLayer>& layers,
                       const std::string& place) {
   if (image.layer.colors) return {};
-  const bool severalLayers = layers.size() > 1;
-  const bool othersHave = std::any_of(layers.begin(), layers.end(),
-                                      [](const ImageLayer& layer) { return layer.colors; });
-  if (severalLayers && othersHave) {
-    std::vector<ImageLayer> colored;
-    std::copy_if(layers.begin(), layers.end(), std::back_inserter(colored),
-                 [](const ImageLayer& layer) { return layer.colors.has_value(); });
-    const std::string what = image.layer.name.empty() ? "the image has no plain channels R, G and B"
-                                                      : "the layer " + inQuotes(image.layer.name) +
-                                                            " has no red, green and blue";
-    return inputError(place, what + "; choose a layer with colours: " + layerNames(colored));
+  std::vector<ImageLayer> colored;
+  std::copy_if(layers.begin(), layers.end(), std::back_inserter(colored),
+               [](const ImageLayer& layer) { return layer.colors.has_value(); });
+  if (!colored.empty()) {
+    const std::string what = image.layer.name.empty()
+                                 ? "plain channels have"
+                                 : "the layer " + inQuotes(image.layer.name) + " has";
+    return inputError(place, what + " no red, green and blue; choose a layer with colours: " +
+                                 layerNames(colored));
   }
+  const bool severalLayers = layers.size() > 1;
   const bool grey = image.channelNames.size() <= 2 && !severalLayers;
   return inputError(place, std::string("the image is ") +
                                (grey ? "grey" : "without the channels R, G and B") +
@@ -168,6 +175,7 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   CUTIS_TRY(layers, listLayers(path, context));
   ColorDecision colors;
   const auto accept = [&](const ImageHeader& header) -> Status {
+    CUTIS_CHECK(checkLayer(header, place));
     const bool meantGrey = isGrey(header) && (layers.size() == 1 || !options.layer.empty());
     if (!meantGrey) CUTIS_CHECK(checkHasColors(header, layers, place));
     CUTIS_TRY(decided, decideColors(header.colors, options.colorSpace, place));
@@ -180,7 +188,10 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
   sayHowColorsAreRead(colors, image.colors, place, context);
   sayLostBits(image, place, context);
   if (isGrey(image)) {
-    context.say(place + ": the image is grey; its red, green and blue are taken to be equal");
+    context.say(place + ": the image is grey; its red, green and blue are taken to be equal" +
+                (image.channelNames.size() == 2 && image.layer.alpha < 0
+                     ? ", and its second channel, which nothing explains, is not looked at"
+                     : ""));
     widenGrey(image);
   }
   Plane mask;

@@ -25,13 +25,18 @@ bool fitsDisplay(const ImageHeader& mask, const MaskedPicture& picture) {
 }
 
 // Whether the mask was drawn on the picture as it lies in its file, and does not say so itself.
+// Only its size tells.
 bool liesAlong(const ImageHeader& mask, const MaskedPicture& picture) {
   return swapsSides(picture.orientation) && mask.orientation == Orientation::upright &&
-         hasSize(mask, picture.height, picture.width);
+         picture.width != picture.height && hasSize(mask, picture.height, picture.width);
 }
 
-Status checkMaskSize(const ImageHeader& mask, const MaskedPicture& picture,
-                     const std::string& place) {
+Status checkMask(const ImageHeader& mask, const MaskedPicture& picture, const std::string& place) {
+  if (mask.isLayerOpen()) {
+    return inputError(place,
+                      "the mask has several layers with colours and no plain channels R, G and B; "
+                      "save the one that is meant as a file of its own");
+  }
   if (hasSize(mask, picture.width, picture.height) || fitsDisplay(mask, picture) ||
       liesAlong(mask, picture)) {
     return {};
@@ -136,6 +141,19 @@ void sayWhatWasFound(const FoundMask& found, const std::string& place, const Job
   if (found.isFull) context.say(place + ": the mask is full, it includes every pixel");
 }
 
+// Upright and lying cannot be told apart where both have the same size.
+void sayHowItLies(const ImageHeader& mask, const MaskedPicture& picture, const std::string& place,
+                  const JobContext& context) {
+  const bool sizeDecides = swapsSides(picture.orientation) && picture.width != picture.height;
+  if (picture.orientation == Orientation::upright || mask.orientation != Orientation::upright ||
+      sizeDecides) {
+    return;
+  }
+  context.say(place +
+              ": the picture lies turned in its file; the mask is taken to stand upright, as the "
+              "picture is shown");
+}
+
 }  // namespace
 
 Result<Plane> readMask(const std::filesystem::path& path, const MaskedPicture& picture,
@@ -143,7 +161,7 @@ Result<Plane> readMask(const std::filesystem::path& path, const MaskedPicture& p
   const std::string place = path.string();
   ImageReadOptions options;
   options.format = PixelFormat::float32;
-  options.accept = [&](const ImageHeader& mask) { return checkMaskSize(mask, picture, place); };
+  options.accept = [&](const ImageHeader& mask) { return checkMask(mask, picture, place); };
   // A mask that was drawn over the overscan, too, is known by its size.
   CUTIS_TRY(header, readImageHeader(path, context));
   options.overscan = !fitsDisplay(header, picture);
@@ -156,7 +174,10 @@ Result<Plane> readMask(const std::filesystem::path& path, const MaskedPicture& p
     context.say(place + ": the mask lies like the picture in its file and was turned with it");
     return turned(mask, picture, store, context);
   }
-  if (hasSize(image, picture.width, picture.height)) return mask;
+  if (hasSize(image, picture.width, picture.height)) {
+    sayHowItLies(image, picture, place, context);
+    return mask;
+  }
   context.say(place +
               ": the mask covers the display window alone; what lies around it is left out");
   return placedInDisplay(mask, picture, store, context);

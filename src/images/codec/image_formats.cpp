@@ -49,7 +49,17 @@ const std::vector<ImageFormat>& table() {
        .name = "BMP",
        .libraryName = "bmp",
        .extensions = {".bmp"},
-       .marks = {{"BM"sv}},
+       .opening = "BM",
+       // The length of the header that follows: of OS/2, of Windows 3 to 5 and of what other
+       // programs write between these.
+       .marks = {{"\x0c\0\0\0"sv, 14},
+                 {"\x10\0\0\0"sv, 14},
+                 {"\x28\0\0\0"sv, 14},
+                 {"\x34\0\0\0"sv, 14},
+                 {"\x38\0\0\0"sv, 14},
+                 {"\x40\0\0\0"sv, 14},
+                 {"\x6c\0\0\0"sv, 14},
+                 {"\x7c\0\0\0"sv, 14}},
        .sampleTypes = {}},
       {.kind = ImageFileKind::targa,
        .name = "Targa",

@@ -32,6 +32,7 @@ struct ImageFormat {
   std::string_view libraryName;  // of OpenImageIO's reader and writer
   // In lower case with the dot, the usual one first.
   std::vector<std::string_view> extensions;
+  std::string_view opening = {};  // what all files begin with, beside a mark
   // By one of which a file is recognised; none: by its name.
   std::vector<FileMark> marks;
   // What can be written, the most usual first; none: files are only read.

@@ -7,10 +7,12 @@
 #include "core/base/parallel.h"
 #include "src/images/codec/layout_check.h"
 #include "src/images/codec/oiio_text.h"
+#include "src/images/inputs/exif_directories.h"
 #include "src/images/inputs/ink_jpeg_input.h"
 #include "src/images/inputs/luma_chroma_input.h"
 #include "src/images/inputs/png_check.h"
 #include "src/images/inputs/tiff_check.h"
+#include "src/images/inputs/webp_chunks.h"
 
 namespace cutis {
 namespace {
@@ -173,6 +175,7 @@ Result<ImagePart> ImageReader::part(int index) try {
   part.index = index;
   part.spec = input_->spec(index, 0);
   if (part.spec.format == OIIO::TypeUnknown) return damaged(input_->geterror());
+  nameUndeclared(kind_, part.spec);
   const OIIO::ImageSpec& spec = part.spec;
   CUTIS_CHECK(checkLayout(spec, place_));
   const auto type = sampleTypeOf(spec.format);
@@ -190,15 +193,21 @@ Result<ImagePart> ImageReader::part(int index) try {
   if (kind_ == ImageFileKind::openExr && spec.full_width > 0 && spec.full_height > 0) {
     part.window = rectOf(spec.full_x, spec.full_y, spec.full_width, spec.full_height);
   }
-  if (kind_ != ImageFileKind::openExr) {
-    part.orientation = orientationOf(spec.get_int_attribute("Orientation", 1));
-  }
+  part.orientation = orientationIn(spec);
   part.alphaKind = alphaKindOf(kind_, spec);
   return part;
 } catch (const std::bad_alloc&) {
   return noMemory(place_);
 } catch (const std::exception& error) {
   return damaged(error.what());
+}
+
+Orientation ImageReader::orientationIn(const OIIO::ImageSpec& spec) const {
+  if (kind_ == ImageFileKind::openExr) return Orientation::upright;
+  if (kind_ == ImageFileKind::webP) {
+    return orientationOf(exifOrientation(readWebPChunks(place_).exif));
+  }
+  return orientationOf(spec.get_int_attribute("Orientation", 1));
 }
 
 Status ImageReader::includeOverscan(ImagePart& part) const {
@@ -256,6 +265,7 @@ Status ImageReader::readNative(int part, int level, int y0, int y1,
 }
 
 bool ImageReader::hasFurtherPages() try {
+  if (kind_ == ImageFileKind::webP) return readWebPChunks(place_).frames > 1;
   if (kind_ != ImageFileKind::tiff) return false;
   const bool found = input_->spec(1, 0).format != OIIO::TypeUnknown;
   input_->geterror();  // that there is none

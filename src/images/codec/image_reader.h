@@ -71,14 +71,14 @@ class ImageReader {
 
   const std::string& place() const { return place_; }
   ImageFileKind kind() const { return kind_; }
-  // More than 1 only for OpenEXR; further pages of a TIFF are not looked at.
+  // More than 1 only for OpenEXR; further pages of a TIFF and frames of a WebP are not looked at.
   int partCount() const { return partCount_; }
   // Checked against the limits above. Precondition: index in [0, partCount()).
   Result<ImagePart> part(int index);
   // Takes what is stored outside of the display window into the picture. Fails if that becomes too
   // large.
   Status includeOverscan(ImagePart& part) const;
-  // Whether there are pages after the first, which are not read.
+  // Whether there are pages or frames of an animation after the first, which are not read.
   bool hasFurtherPages();
 
   // The chosen channels of a part, each a plane of the picture's size, upright.
@@ -105,6 +105,8 @@ class ImageReader {
   Result<std::vector<Plane>> readStored(const ImagePart& part, std::span<const int> channels,
                                         PixelFormat format, const std::shared_ptr<TileStore>& store,
                                         const JobContext& context, const RowsSeen& seen);
+  // As the file says; OpenEXR has none.
+  Orientation orientationIn(const OIIO::ImageSpec& spec) const;
   Status openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints);
   Error damaged(const std::string& reason) const;
 

@@ -151,7 +151,7 @@ class WrittenRows {
   const void* samples() const { return bytes_.data(); }
 
  private:
-  enum Mark : char { kClipped = 1, kHidden = 2 };
+  enum Mark : char { kClipped = 1, kHidden = 2, kNoNumber = 4 };
 
   void changeByAlpha(std::span<float> values) const {
     if (part_.alphaStep == AlphaStep::multiply) multiplyByAlpha(values, alpha_);
@@ -167,6 +167,7 @@ class WrittenRows {
       if (limits.cutOff(values[i]) && (isInteger(type_) || std::isfinite(values[i]))) {
         marks[i] |= kClipped;
       }
+      if (isInteger(type_) && std::isnan(values[i])) marks[i] |= kNoNumber;
       if (multiplied && alpha_[i] == 0.0f && values[i] != 0.0f) marks[i] |= kHidden;
     }
     return marks;
@@ -179,6 +180,7 @@ class WrittenRows {
       for (const std::vector<char>& channel : marks)
         all |= channel[i];
       losses_.clipped += (all & kClipped) != 0 ? 1 : 0;
+      losses_.noNumbers += (all & kNoNumber) != 0 ? 1 : 0;
       losses_.hiddenColors += (all & kHidden) != 0 ? 1 : 0;
     }
   }
@@ -300,6 +302,7 @@ Result<WriteLosses> writeParts(const std::filesystem::path& file, const std::str
       context.progress.report(static_cast<double>(doneRows) / static_cast<double>(totalRows));
     }
     losses.clipped += band.losses().clipped;
+    losses.noNumbers += band.losses().noNumbers;
     losses.hiddenColors += band.losses().hiddenColors;
   }
   CUTIS_CHECK(writer.close());

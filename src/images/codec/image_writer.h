@@ -40,6 +40,7 @@ struct OutputPart {
 // What did not fit, counted while it was written.
 struct WriteLosses {
   std::size_t clipped = 0;       // pixels with a value beyond what the samples hold
+  std::size_t noNumbers = 0;     // pixels with NaN, which integers do not have
   std::size_t hiddenColors = 0;  // pixels of alpha 0 with a colour that could not be multiplied
 };
 

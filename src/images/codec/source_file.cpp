@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kHeadBytes = 16;
+constexpr std::size_t kHeadBytes = 18;
 constexpr std::size_t kHashedBytes = std::size_t{1} << 22;
 
 // Most of them are TIFF files on the outside and would be read as their small preview.
@@ -29,6 +29,7 @@ std::optional<ImageFileKind> kindOf(std::string_view head, const std::string& ex
     const auto& names = format.extensions;
     if (format.marks.empty())
       return std::find(names.begin(), names.end(), extension) != names.end();
+    if (!head.starts_with(format.opening)) return false;
     return std::any_of(format.marks.begin(), format.marks.end(), [&](const FileMark& mark) {
       return head.substr(std::min(mark.at, head.size())).starts_with(mark.bytes);
     });

@@ -86,7 +86,7 @@ StoredColors inkColors(const OIIO::ImageSpec& spec, const std::string& place) {
   }
   const auto profile = readIccProfile(bytes, place);
   if (!profile) {
-    colors.objection = "CMYK, but " + profile.error().message;
+    colors.objection = "CMYK, but its ICC profile cannot be used (" + profile.error().message + ")";
     return colors;
   }
   if (profile.value().kind != ProfileKind::cmyk) {
@@ -110,6 +110,14 @@ bool needsRawColors(ImageFileKind kind, const OIIO::ImageSpec& spec) {
   if (kind != ImageFileKind::tiff) return false;
   const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation");
   return photometric == kSeparated || (photometric >= kCieLab && photometric <= kItuLab);
+}
+
+void nameUndeclared(ImageFileKind kind, OIIO::ImageSpec& spec) {
+  const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+  const bool isGrey = photometric == 0 || photometric == 1;  // of white or of black as 0
+  if (kind != ImageFileKind::tiff || !isGrey || spec.nchannels != 2 || spec.alpha_channel >= 0)
+    return;
+  spec.channelnames = {"Y", "undeclared"};
 }
 
 std::optional<StoredColors> storedColorsOf(ImageFileKind kind, const OIIO::ImageSpec& spec,

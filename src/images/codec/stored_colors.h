@@ -32,6 +32,10 @@ struct StoredColors {
 // of, without a profile. For the files of this folder.
 bool needsRawColors(ImageFileKind kind, const OIIO::ImageSpec& spec);
 
+// OpenImageIO calls the samples of a grey TIFF R and G where no tag says what the second one is:
+// Y, and a channel that nothing explains.
+void nameUndeclared(ImageFileKind kind, OIIO::ImageSpec& spec);
+
 // Nothing for the usual kinds. The spec is that of pixels as they are stored.
 std::optional<StoredColors> storedColorsOf(ImageFileKind kind, const OIIO::ImageSpec& spec,
                                            const std::string& place);

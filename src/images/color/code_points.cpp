@@ -176,13 +176,13 @@ ColorStatement statementOf(const CodePoints& points, int bits, const std::string
   const auto curve = curveOf(points.transfer);
   if (points.primaries == kUnspecified || points.transfer == kUnspecified) return statement;
   if (points.matrix != 0) {
-    statement.objection = "luminance and chroma, which PNG files cannot hold";
+    statement.objection = "says luminance and chroma, which PNG files cannot hold";
   } else if (!curve) {
-    statement.objection =
-        "the transfer characteristics " + std::to_string(points.transfer) + ", which are not known";
+    statement.objection = "says the transfer characteristics " + std::to_string(points.transfer) +
+                          ", which are not known";
   } else if (!primaries) {
     statement.objection =
-        "the primaries " + std::to_string(points.primaries) + ", which are not known";
+        "says the primaries " + std::to_string(points.primaries) + ", which are not known";
   } else {
     follow(*primaries, *curve, statement);
     const Range range = rangeOf(points.fullRange, bits);
@@ -219,7 +219,7 @@ ColorStatement statementOfInteropId(const std::string& id, const std::string& or
   if (const auto unnamed = unnamedInterop(id))
     follow(unnamed->first, unnamed->second, statement);
   else
-    statement.objection = "'" + id.substr(0, 80) + "', which is not known";
+    statement.objection = "says '" + id.substr(0, 80) + "', which is not known";
   return statement;
 }
 

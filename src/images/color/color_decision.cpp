@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "core/base/choice_place.h"
@@ -39,9 +40,17 @@ std::string contradictionOf(const ColorStatement& other, const ColorStatement& f
   const std::string taken =
       (isChosen ? followed.space.name + " was chosen" : said(followed)) + " and is followed";
   if (other.space.empty())
-    return other.origin + " cannot be followed (" + other.objection + "), " + taken;
+    return other.origin + " cannot be followed (it " + other.objection + "), " + taken;
   if (differenceOf(other.space, followed.space) <= kSameForPeople) return {};
   return said(other) + ", but " + taken;
+}
+
+// What another statement says, else the default.
+std::string likelySpace(const FileColors& file) {
+  const auto other = std::find_if(file.statements.begin(), file.statements.end(),
+                                  [](const ColorStatement& one) { return one.space.isNamed; });
+  if (other == file.statements.end()) return file.byDefault.space.name;
+  return other->space.name + ", as " + other->origin + " says";
 }
 
 Result<ColorStatement> chosen(const FileColors& file, const std::string& choice,
@@ -79,9 +88,9 @@ Result<ColorDecision> decideColors(const FileColors& file, const std::string& ch
   }
   const ColorStatement& followed = decision.followed;
   if (followed.space.empty()) {
-    return inputError(place, followed.origin + " says " + followed.objection +
+    return inputError(place, followed.origin + " " + followed.objection +
                                  "; name the colour space of the file, for example " +
-                                 file.byDefault.space.name);
+                                 likelySpace(file));
   }
   decision.sentence = sentenceOf(followed, file.isConverted);
   for (std::size_t i = choice.empty() ? 1 : 0; i < statements.size(); ++i) {

@@ -48,7 +48,8 @@ struct ColorStatement {
   std::string origin;
   // Empty if the statement cannot be followed.
   ColorSpace space;
-  // Then why: "a profile for grey pixels".
+  // Then why, as a clause about the origin: "is for grey pixels, but the picture is in colour". Of
+  // storage: how the pixels are stored.
   std::string objection = {};
   // What was taken for granted to follow it, "light of 203 cd/m² is taken as 1"; may be empty.
   std::string assumption = {};

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <istream>
 
+#include "src/images/inputs/exif_directories.h"
+
 namespace cutis {
 namespace {
 
@@ -11,64 +13,12 @@ constexpr int kExifDirectory = 0x8769;
 constexpr int kColorSpace = 0xa001;
 constexpr int kInteropDirectory = 0xa005;
 constexpr int kInteropIndex = 1;
-constexpr std::uint64_t kMostEntries = 4096;
-
-// Classic TIFF; BigTIFF is too rare a photograph.
-class Directories {
- public:
-  explicit Directories(std::istream& stream) : stream_(stream) {
-    std::string mark(4, '\0');
-    stream_.seekg(0);
-    stream_.read(mark.data(), 4);
-    littleEndian_ = mark.starts_with("II");
-    isTiff_ = stream_ && (mark == std::string("II*\0", 4) || mark == std::string("MM\0*", 4));
-  }
-
-  std::optional<std::uint64_t> first() { return isTiff_ ? number(4, 4) : std::nullopt; }
-
-  // Where the value of a tag lies in the entry; nothing if the directory has no such tag.
-  std::optional<std::uint64_t> find(std::uint64_t directory, int tag) {
-    const auto entries = number(directory, 2);
-    if (!entries || *entries > kMostEntries) return std::nullopt;
-    for (std::uint64_t i = 0; i < *entries; ++i) {
-      const std::uint64_t entry = directory + 2 + 12 * i;
-      const auto name = number(entry, 2);
-      if (!name) return std::nullopt;
-      if (*name == static_cast<std::uint64_t>(tag)) return entry + 8;
-    }
-    return std::nullopt;
-  }
-
-  std::optional<std::uint64_t> number(std::uint64_t position, int bytes) {
-    const std::string text = bytesAt(position, bytes);
-    if (text.empty()) return std::nullopt;
-    std::uint64_t value = 0;
-    for (int i = 0; i < bytes; ++i) {
-      const int at = littleEndian_ ? bytes - 1 - i : i;
-      value = value << 8 | static_cast<unsigned char>(text[static_cast<std::size_t>(at)]);
-    }
-    return value;
-  }
-
-  std::string bytesAt(std::uint64_t position, int count) {
-    std::string text(static_cast<std::size_t>(count), '\0');
-    stream_.clear();
-    stream_.seekg(static_cast<std::streamoff>(position));
-    if (!stream_.read(text.data(), count)) return {};
-    return text;
-  }
-
- private:
-  std::istream& stream_;
-  bool littleEndian_ = false;
-  bool isTiff_ = false;
-};
 
 }  // namespace
 
 ExifColors exifColorsOf(std::istream& tiff) {
   ExifColors colors;
-  Directories directories(tiff);
+  ExifDirectories directories(tiff);
   const auto directoryIn = [&](std::optional<std::uint64_t> outer,
                                int tag) -> std::optional<std::uint64_t> {
     const auto at = outer ? directories.find(*outer, tag) : std::nullopt;

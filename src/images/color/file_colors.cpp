@@ -13,7 +13,7 @@
 #include "src/images/color/heif_color.h"
 #include "src/images/color/png_color.h"
 #include "src/images/color/tiff_color.h"
-#include "src/images/color/webp_color.h"
+#include "src/images/inputs/webp_chunks.h"
 
 namespace cutis {
 namespace {
@@ -87,7 +87,7 @@ class Collector {
     if (space)
       statement.space = std::move(space).value();
     else
-      statement.objection = "'" + name.substr(0, 80) + "', which is not known";
+      statement.objection = "says '" + name.substr(0, 80) + "', which is not known";
     add(std::move(statement));
   }
 
@@ -98,7 +98,7 @@ class Collector {
     if (space)
       statement.space = std::move(space).value();
     else
-      statement.objection = "primaries that span no colours";
+      statement.objection = "says primaries that span no colours";
     add(std::move(statement));
   }
 
@@ -138,7 +138,7 @@ class Collector {
   }
 
   void addWebP() {
-    const WebPColors webP = readWebPColors(path_);
+    const WebPChunks webP = readWebPChunks(path_);
     if (webP.profile) addProfile(*webP.profile, true);
     exif_ = webP.exif;
   }
@@ -156,11 +156,11 @@ class Collector {
     ColorStatement statement = {ColorSource::iccProfile, "its ICC profile", {}, {}};
     auto profile = readIccProfile(bytes, path_.string());
     if (!profile) {
-      statement.objection = profile.error().message;
+      statement.objection = "cannot be used (" + profile.error().message + ")";
     } else if (profile.value().space.empty()) {
-      statement.objection = "an ICC profile that is not for RGB or grey pixels";
+      statement.objection = "is for neither RGB nor grey pixels";
     } else if (profile.value().kind == ProfileKind::grey && part_.channelIndex("R") >= 0) {
-      statement.objection = "an ICC profile for grey pixels, which these are not";
+      statement.objection = "is for grey pixels, but the picture is in colour";
     } else {
       if (!profile.value().description.empty())
         statement.origin += " '" + profile.value().description + "'";

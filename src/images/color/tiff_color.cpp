@@ -79,7 +79,7 @@ ColorStatement tiffTagStatement(const std::filesystem::path& path, const Transfe
   statement.origin = originOf(tags);
   const auto curves = table ? curvesIn(*table) : std::optional(Curves{usual, usual, usual});
   if (!curves) {
-    statement.objection = "a transfer function that does not rise from black to white";
+    statement.objection = "says a transfer function that does not rise from black to white";
     return statement;
   }
   std::array<double, 8> chromaticities = kRec709.chromaticities;
@@ -87,7 +87,7 @@ ColorStatement tiffTagStatement(const std::filesystem::path& path, const Transfe
   if (white) std::copy(white->begin(), white->end(), chromaticities.begin() + 6);
   auto space = spaceOfPrimaries(chromaticities, *curves, path.string());
   if (!space) {
-    statement.objection = "primaries that span no colours";
+    statement.objection = "says primaries that span no colours";
     return statement;
   }
   statement.space = std::move(space).value();

@@ -58,6 +58,26 @@ class ApplyTest : public QObject {
     }
   }
 
+  // Which layer is meant is asked for where nothing tells, and said in reports.
+  void layersAreNotGuessed() {
+    ImageContent content = skinTexture(kWidth, kHeight, {"R", "G", "B", "A", "pores", "Z"});
+    content.channelNames = {"albedo.R", "albedo.G", "albedo.B", "glow.R", "glow.G", "glow.B"};
+    run_.writeImage("layers.exr", content, SampleType::half);
+    const Outcome open = run_.run("fit layers.exr -o layers_maps.exr");
+    QCOMPARE(open.status, 3);
+    QCOMPARE(open.errors, std::string("cutis-cli: --layer: 'layers.exr' has no plain channels R, G "
+                                      "and B, but 'albedo' and 'glow' have colours; choose one of "
+                                      "them\n"));
+    const Outcome info = run_.run("info layers.exr");
+    QCOMPARE(info.status, 0);
+    QVERIFY(info.output.find("read layer: none of plain channels; --layer chooses\n") !=
+            std::string::npos);
+    const Outcome chosen =
+        run_.run("fit layers.exr -o layers_maps.exr --layer albedo --report layers.json");
+    QVERIFY2(chosen.status == 0, chosen.errors.c_str());
+    QVERIFY(run_.read("layers.json").find("\"layer\": \"albedo\"") != std::string::npos);
+  }
+
   // Through curves and a matrix that no built-in space has.
   void profilesOfTheSourceAreKeptToTheBit() {
     const std::string profile =

@@ -257,7 +257,7 @@ class IccProfileTest : public QObject {
       QVERIFY(readIccProfile(sound.substr(0, length), "a").failed());
     std::string noMark = sound;
     noMark[36] = 'x';
-    EXPECT_ERROR(readIccProfile(noMark, "a.png"), "a.png: the ICC profile cannot be used");
+    EXPECT_ERROR(readIccProfile(noMark, "a.png"), "a.png: it does not begin like an ICC profile");
     for (std::size_t at = 0; at < sound.size(); at += 3) {
       std::string damaged = sound;
       damaged[at] = static_cast<char>(damaged[at] ^ 0xff);

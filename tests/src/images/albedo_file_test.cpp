@@ -87,6 +87,44 @@ class AlbedoFileTest : public QObject {
     }
   }
 
+  // Nothing tells which of several layers is meant.
+  void layersAreNotGuessed() {
+    const auto path = folder_.path("layers.exr");
+    test::writeForeignParts(
+        path,
+        {{"", {"Z", "albedo.R", "albedo.G", "albedo.B", "diffuse.R", "diffuse.G", "diffuse.B"}}});
+    const auto read = [&](const std::string& layer) {
+      return readAlbedo(path, {.layer = layer}, test::albedoRig(), nullptr, {});
+    };
+    EXPECT_ERROR(read(""), "layer: '" + path.string() +
+                               "' has no plain channels R, G and B, but 'albedo' and 'diffuse' "
+                               "have colours; choose one of them");
+    EXPECT_OK(read("diffuse"));
+    EXPECT_ERROR(read("Z"), "there is no layer 'Z'");
+  }
+
+  void greyWithASecondChannelIsRead() {
+    const auto path = folder_.path("two.tif");
+    OIIO::ImageSpec spec(4, 4, 2, OIIO::TypeUInt16);
+    spec.channelnames = {"Y", "dust"};
+    spec.alpha_channel = -1;
+    std::vector<float> samples;
+    for (int i = 0; i < 16; ++i)
+      samples.insert(samples.end(), {0.5f, 0.25f});
+    test::writeForeign(path, "tiff", spec, samples);
+    test::Listener listener;
+    const auto albedo = readAlbedo(path, {}, test::albedoRig(), nullptr, listener.context());
+    EXPECT_OK(albedo);
+    const auto& source = albedo.value().source;
+    for (const int color : *source.layer.colors) {
+      EXPECT_NEAR(pixelOf(source.channels[static_cast<std::size_t>(color)], 1, 1), 0.5, 1e-4);
+    }
+    QCOMPARE(listener.sentences.size(), std::size_t{1});
+    QVERIFY(listener.sentences[0].find(
+                "its second channel, which nothing explains, is not looked at") !=
+            std::string::npos);
+  }
+
   void init() { qunsetenv("OCIO"); }
 
   // A neutral reflectance reads the same in all channels, a perfect diffuser 1.

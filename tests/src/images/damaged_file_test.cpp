@@ -115,6 +115,14 @@ class DamagedFileTest : public QObject {
     }
   }
 
+  // Two letters do not make a bitmap.
+  void textsAreNoBitmaps() {
+    for (const char* text : {"BM", "BMI of the subjects, by year\n2024;23.5\n"}) {
+      test::writeBytes(folder_.path("text.txt"), text);
+      EXPECT_ERROR(read(folder_.path("text.txt")), "this is not an image of a supported kind");
+    }
+  }
+
   void theLastByteCounts() {
     for (const char* file : {"a.png", "e.exr", "g.jpg", "k.tif", "m.tif", "maps.exr"}) {
       const QByteArray whole = test::readBytes(folder_.path(file));

@@ -204,6 +204,39 @@ class ExrEditionTest : public QObject {
     QCOMPARE(listener_.sentences.size(), std::size_t{2});
   }
 
+  // What loses nothing stays; what would lose more with each writing is replaced, and that is said.
+  void compressionStaysUnlessItLoses_data() {
+    QTest::addColumn<QString>("given");
+    QTest::addColumn<bool>("isFloat");
+    QTest::addColumn<QString>("written");
+    for (const char* same : {"none", "rle", "zips", "zip", "piz", "pxr24"})
+      QTest::newRow(same) << same << false << same;
+    QTest::newRow("pxr24 of floats") << "pxr24" << true << "zip";
+    for (const char* lossy : {"dwaa:60", "dwab:45", "b44", "b44a"})
+      QTest::newRow(lossy) << lossy << false << "zip";
+  }
+  void compressionStaysUnlessItLoses() {
+    QFETCH(QString, given);
+    QFETCH(bool, isFloat);
+    QFETCH(QString, written);
+    OIIO::ImageSpec spec(48, 40, 3, isFloat ? OIIO::TypeFloat : OIIO::TypeHalf);
+    spec.attribute("compression", given.toStdString());
+    const auto path = folder_.path("packed.exr"), same = folder_.path("same.exr");
+    test::writeForeign(path, "openexr", spec, test::noise(48 * 40 * 3));
+    listener_.sentences.clear();
+    EXPECT_OK(writeImage(same, contentOf(path, 1.0f),
+                         isFloat ? SampleType::float32 : SampleType::half, listener_.context()));
+    const auto compression = storedIn(same)[0][0].spec.get_string_attribute("compression");
+    QCOMPARE(QString::fromStdString(std::string(compression)), written);
+    const bool isKept = given == written;
+    QCOMPARE(listener_.sentences.size(), std::size_t{isKept ? 0U : 1U});
+    if (!isKept) {
+      QVERIFY(listener_.sentences[0].find("is compressed with " +
+                                          given.split(':').front().toStdString()) !=
+              std::string::npos);
+    }
+  }
+
   void aChangedSourceIsSaid() {
     const auto path = folder_.path("gone.exr");
     test::writeForeignParts(path, {{"beauty", {"R", "G", "B"}}, {"depth", {"Z"}}});

@@ -134,8 +134,7 @@ std::string chunk(const std::string& name, const std::string& content) {
 
 // A lossless WebP (RFC 9649) of one straight colour: five prefix codes of one symbol each, after
 // which no pixel needs a bit.
-std::string webP(int width, int height, const std::array<int, 4>& rgba,
-                 const std::string& profile) {
+std::string webPPixels(int width, int height, const std::array<int, 4>& rgba) {
   std::vector<bool> bits;
   const auto put = [&](int value, int count) {
     for (int i = 0; i < count; ++i)
@@ -156,14 +155,47 @@ std::string webP(int width, int height, const std::array<int, 4>& rgba,
   std::string pixels((bits.size() + 7) / 8, '\0');
   for (std::size_t i = 0; i < bits.size(); ++i)
     pixels[i / 8] = static_cast<char>(pixels[i / 8] | (bits[i] ? 1 << i % 8 : 0));
+  return chunk("VP8L", pixels);
+}
+
+std::string sides(int width, int height) {
+  return little(static_cast<std::uint64_t>(width - 1), 3) +
+         little(static_cast<std::uint64_t>(height - 1), 3);
+}
+
+// Chunks before and behind the pixels; flags say which there are.
+std::string webPOf(int flags, int width, int height, const std::string& before,
+                   const std::string& pixels, const std::string& behind) {
   std::string body = "WEBP";
-  if (!profile.empty()) {
-    body += chunk("VP8X", little(0x30, 4) + little(static_cast<std::uint64_t>(width - 1), 3) +
-                              little(static_cast<std::uint64_t>(height - 1), 3)) +
-            chunk("ICCP", profile);
+  if (flags != 0) {
+    body += chunk("VP8X", little(static_cast<std::uint64_t>(flags), 4) + sides(width, height));
   }
-  body += chunk("VP8L", pixels);
+  body += before + pixels + behind;
   return "RIFF" + little(body.size(), 4) + body;
+}
+
+std::string webP(int width, int height, const std::array<int, 4>& rgba,
+                 const std::string& profile) {
+  const std::string pixels = webPPixels(width, height, rgba);
+  if (profile.empty()) return webPOf(0, width, height, "", pixels, "");
+  return webPOf(0x30, width, height, chunk("ICCP", profile), pixels, "");
+}
+
+// An EXIF block that says nothing but how the picture lies.
+std::string exifOrientationBlock(int tag) {
+  return std::string("MM\0*", 4) + big(8, 4) + big(1, 2) + big(0x112, 2) + big(3, 2) + big(1, 4) +
+         big(static_cast<std::uint64_t>(tag), 2) + big(0, 2) + big(0, 4);
+}
+
+// Two frames of one colour each, for a tenth of a second.
+std::string webPAnimation(int width, int height) {
+  std::string frames = chunk("ANIM", little(0, 4) + little(0, 2));
+  for (const std::array<int, 4>& color :
+       {std::array{204, 102, 51, 255}, std::array{51, 102, 204, 255}}) {
+    frames += chunk("ANMF", little(0, 6) + sides(width, height) + little(100, 3) + little(2, 1) +
+                                webPPixels(width, height, color));
+  }
+  return webPOf(0x02, width, height, frames, "", "");
 }
 
 std::string box(const std::string& name, const std::string& content) {
@@ -311,6 +343,46 @@ class ForeignColorsTest : public QObject {
                                  "default for integers"
                                : "its colours are read by its ICC profile 'studio'"));
     }
+  }
+
+  // OpenImageIO hands no EXIF of a WebP file on.
+  void webPIsReadUpright() {
+    const std::string pixels = webPPixels(20, 10, {204, 102, 51, 255});
+    for (int tag = 1; tag <= 8; ++tag) {
+      for (const bool isMarked : {false, true}) {
+        const std::string block =
+            (isMarked ? std::string("Exif\0\0", 6) : "") + exifOrientationBlock(tag);
+        test::writeBytes(
+            folder_.path("turned.webp"),
+            QByteArray::fromStdString(webPOf(0x08, 20, 10, "", pixels, chunk("EXIF", block))));
+        const auto image = readImage(folder_.path("turned.webp"), {}, nullptr, {});
+        EXPECT_OK(image);
+        QCOMPARE(static_cast<int>(image.value().orientation), tag);
+        QCOMPARE(image.value().width, tag >= 5 ? 10 : 20);
+        QCOMPARE(image.value().channels[0].height(), tag >= 5 ? 20 : 10);
+      }
+    }
+  }
+
+  void webPSaysWhatIsNotRead() {
+    const auto said = [&](const std::string& bytes) {
+      test::writeBytes(folder_.path("said.webp"), QByteArray::fromStdString(bytes));
+      test::Listener listener;
+      const auto image =
+          readImage(folder_.path("said.webp"), {PixelFormat::float32}, nullptr, listener.context());
+      if (!image) return image.failed() ? image.error().message : std::string("cancelled");
+      if (std::abs(test::pixelOf(image.value().channels[0], 3, 3) - 0.8f) > 0.01f &&
+          image.value().layer.alpha < 0)
+        return std::string("another frame");
+      std::string all;
+      for (const std::string& sentence : listener.sentences)
+        all += sentence + "\n";
+      return all;
+    };
+    QCOMPARE(said(webP(20, 10, {204, 102, 51, 255}, {})).find("animation"), std::string::npos);
+    QVERIFY(said(webPAnimation(20, 10)).find("its first frame alone is read") != std::string::npos);
+    QVERIFY(said(webP(20, 10, {204, 102, 51, 153}, {})).find("multiplied by it in 8 bits") !=
+            std::string::npos);
   }
 
   void heicSaysItsColors() {

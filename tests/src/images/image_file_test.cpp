@@ -235,6 +235,30 @@ class ImageFileTest : public QObject {
     QVERIFY(listener.sentences.empty());
   }
 
+  void whatIsNoNumberIsCountedAndSaid() {
+    ImageContent content;
+    content.channelNames = {"R", "G", "B"};
+    for (int c = 0; c < 3; ++c) {
+      content.channels.push_back(makePlane(5, 2, [&](int x, int y) {
+        if (x == 0 && y == 0) return std::numeric_limits<float>::quiet_NaN();
+        if (x == 1 && y == 0 && c == 0) return std::numeric_limits<float>::quiet_NaN();
+        return x == 2 && y == 1 ? std::numeric_limits<float>::infinity() : 0.5f;
+      }));
+    }
+    for (const char* name : {"nan.png", "nan.tif"}) {
+      test::Listener listener;
+      EXPECT_OK(writeImage(folder_.path(name), content, SampleType::uint16, listener.context()));
+      QCOMPARE(listener.sentences.size(), std::size_t{2});
+      QVERIFY(contains(listener.sentences[0], "the values of 1 pixel lie beyond"));
+      QVERIFY(contains(listener.sentences[1],
+                       "2 pixels have values that are no number (NaN), which 16 bit samples do not "
+                       "have, and became 0"));
+    }
+    test::Listener listener;
+    EXPECT_OK(writeImage(folder_.path("nan.exr"), content, SampleType::half, listener.context()));
+    QVERIFY(listener.sentences.empty());
+  }
+
   void channelsAreFoundByName() {
     ImageContent content;
     content.channelNames = {"zebra", "B", "A", "R", "mask.inner", "G"};

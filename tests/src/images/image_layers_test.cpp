@@ -88,6 +88,33 @@ class ImageLayersTest : public QObject {
     }
   }
 
+  // Which layer is read where none is chosen is said, or left open.
+  void whatIsReadIsSaid() {
+    const auto said = [&](const std::filesystem::path& path, const std::string& layer) {
+      test::Listener listener;
+      const auto image = readImage(path, {.layer = layer}, nullptr, listener.context());
+      return std::pair(image && image.value().isLayerOpen(), listener.sentences);
+    };
+    using Sentences = std::vector<std::string>;
+    const auto one = write("one.exr", {{"", {"Z", "albedo.R", "albedo.G", "albedo.B"}}});
+    QVERIFY(said(one, "") ==
+            std::pair(false, Sentences{one.string() + ": the layer 'albedo' is read, the only one "
+                                                      "with colours"}));
+    QVERIFY(said(one, "albedo").second.empty());
+    const auto eyes = write("eyes.exr", {{"left", {"R", "G", "B"}}, {"right", {"R", "G", "B"}}});
+    QVERIFY(said(eyes, "") ==
+            std::pair(false, Sentences{eyes.string() + ": 'left' is read; 'right' has colours, "
+                                                       "too, and can be chosen as the layer"}));
+    QVERIFY(said(eyes, "right").second.empty());
+    const auto two =
+        write("two.exr",
+              {{"", {"albedo.R", "albedo.G", "albedo.B", "diffuse.R", "diffuse.G", "diffuse.B"}}});
+    QVERIFY(said(two, "").first);
+    QVERIFY(said(two, "diffuse") == std::pair(false, Sentences{}));
+    const auto plain = write("plain.exr", {{"", {"R", "G", "B", "spec.R", "spec.G", "spec.B"}}});
+    QVERIFY(said(plain, "") == std::pair(false, Sentences{}));
+  }
+
   void otherFormatsHoldOne() {
     EXPECT_OK(writeImage(folder_.path("one.tif"),
                          test::makeContent(4, 4, {"R", "G", "B", "A", "pores"}), SampleType::uint16,

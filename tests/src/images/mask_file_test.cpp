@@ -165,6 +165,38 @@ class MaskFileTest : public QObject {
     QVERIFY(test::valuesOf(lying.value()) == test::valuesOf(upright.value()));
   }
 
+  // Size cannot tell upright from lying where both have the same.
+  void masksOfTheSameSizeStandUpright_data() {
+    QTest::addColumn<int>("tag");
+    QTest::addColumn<int>("height");
+    for (const int tag : {2, 3, 4}) {
+      QTest::addRow("orientation %d", tag) << tag << kHeight;
+      QTest::addRow("orientation %d of a square", tag) << tag << kWidth;
+    }
+    for (int tag = 5; tag <= 8; ++tag)
+      QTest::addRow("orientation %d of a square", tag) << tag << kWidth;
+  }
+  void masksOfTheSameSizeStandUpright() {
+    QFETCH(int, tag);
+    QFETCH(int, height);
+    const MaskedPicture picture = {kWidth, height, "'face'", {}, orientationOf(tag)};
+    const auto mask = read(write("same.png", kWidth, height,
+                                 [](int x, int y) -> Pixel {
+                                   return {0, 0, 0, x == 4 && y == 1 ? 1.0f : 0.0f};
+                                 }),
+                           picture);
+    EXPECT_OK(mask);
+    QCOMPARE(pixelOf(mask.value(), 4, 1), 1.0f);
+    QCOMPARE(listener_.sentences.size(), std::size_t{1});
+    QVERIFY(wasSaid("the mask is taken to stand upright"));
+  }
+
+  void masksOfSeveralLayersAreRefused() {
+    const auto path = folder_.path("layers.exr");
+    test::writeForeignParts(path, {{"", {"a.R", "a.G", "a.B", "b.R", "b.G", "b.B"}}});
+    EXPECT_ERROR(read(path, {4, 3, "'face'"}), "the mask has several layers with colours");
+  }
+
   void othersDoNotFit() {
     const auto path = write("other.png", kHeight, kWidth, [](int, int) { return Pixel{}; });
     EXPECT_ERROR(read(path), "the mask is 4 × 6 pixels but 'face' is 6 × 4");

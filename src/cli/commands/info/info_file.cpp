@@ -159,6 +159,23 @@ std::string alphaText(const ImageHeader& header) {
                                                    : "colours are straight";
 }
 
+// Which layer is read, where there are several.
+std::string layerText(const ImageHeader& header, const std::string& chosen) {
+  if (!chosen.empty()) return {};
+  if (header.isLayerOpen()) return "none of plain channels; --layer chooses";
+  if (!header.layer.colors || header.layer.name.empty()) return {};
+  return header.otherLayers.empty()
+             ? inQuotes(header.layer.name)
+             : inQuotes(header.layer.name) + ", the first; --layer chooses another";
+}
+
+// What of the file stays unread.
+std::string furtherText(const ImageHeader& header) {
+  if (!header.hasFurtherParts || header.kind == ImageFileKind::openExr) return {};
+  return header.kind == ImageFileKind::webP ? "an animation, of which the first frame is read"
+                                            : "several, of which the first is read";
+}
+
 Result<std::string> describeImage(const std::string& path, const std::string& layer,
                                   const Session& session) {
   CUTIS_TRY(header, readImageHeader(path, session.context, layer));
@@ -169,6 +186,8 @@ Result<std::string> describeImage(const std::string& path, const std::string& la
   text += line("channels",
                wordList(layer.empty() ? header.channelNames : header.layer.channelNames, ", "));
   text += line("layers", layers.size() > 1 ? layerNames(layers) : "");
+  text += line("read layer", layerText(header, layer));
+  text += line(header.kind == ImageFileKind::webP ? "frames" : "pages", furtherText(header));
   text += line("alpha", alphaText(header));
   text += line("samples", sampleTypeName(header.sourceType));
   text += colorsText(header.colors, path);

@@ -39,7 +39,10 @@ class TableDialectsTest : public QObject {
     const auto row = [](const char* name, const std::string& text, const char* note = "") {
       QTest::newRow(name) << QByteArray::fromStdString(text) << note;
     };
-    const char percent[] = "d.csv: reflectances are read as percent";
+    const char percent[] = "d.csv: reflectances are read as percent, since most are above 1.5";
+    const auto declared = [](int line) {
+      return "d.csv:" + std::to_string(line) + ": reflectances are read as percent, as declared";
+    };
     row("plain", "nm,a,b\n400,.1,.2\n450,.3,.4\n500,.5,.6\n");
     row("byte order mark", "\xEF\xBB\xBFnm,a,b\n400,.1,.2\n450,.3,.4\n500,.5,.6\n");
     row("carriage returns", "nm,a,b\r400,.1,.2\r450,.3,.4\r500,.5,.6\r");
@@ -60,7 +63,8 @@ class TableDialectsTest : public QObject {
     row("micrometres", "wavelength_um,a,b\n0.4,.1,.2\n0.45,.3,.4\n0.5,.5,.6\n");
     row("micrometres in a row", "\"\xC2\xB5m\",0.4,0.45,0.5\na,.1,.3,.5\nb,.2,.4,.6\n");
     row("micrometres in Latin-1",
-        "Wavelength [\xB5m];a;b\n0,4;0,1;0,2\n0,45;0,3;0,4\n0,5;0,5;0,6\n");
+        "Wavelength [\xB5m];a;b\n0,4;0,1;0,2\n0,45;0,3;0,4\n0,5;0,5;0,6\n",
+        "d.csv: the text is not UTF-8 and is read as Windows-1252");
     row("angstroms", "Wavelength (\xC3\x85),a,b\n4000,.1,.2\n4500,.3,.4\n5000,.5,.6\n");
     row("units of their own", "x,a,b\n0.4 um,.1,.2\n450[nm],.3,.4\n5000 angstrom,.5,.6\n");
     row("labels", "id,R400,R_450,spectral_500\na,.1,.3,.5\nb,.2,.4,.6\n");
@@ -77,9 +81,16 @@ class TableDialectsTest : public QObject {
     row("row numbers", "No,wavelength,a,b\n101,400,.1,.2\n102,450,.3,.4\n103,500,.5,.6\n");
     row("columns behind", "id,400,450,500,L*,remark\na,.1,.3,.5,60,\nb,.2,.4,.6,70,dry\n",
         "d.csv:1: columns behind the wavelengths are left out: 'L*', 'remark'");
-    row("percent by heading alone", "nm,a,b\n[nm],[%],[%]\n400,.1,.2\n450,.3,.4\n500,.5,.6\n",
-        "d.csv: a heading names percent, but no value is above 1.5: they are read as shares from 0 "
-        "to 1");
+    row("percent by unit", "nm,a,b\n[nm],[%],[%]\n400,10,20\n450,30,40\n500,50,60\n",
+        declared(2).c_str());
+    row("percent by heading", "# Reflectance in %\nnm,a,b\n400,10,20\n450,30,40\n500,50,60\n",
+        declared(1).c_str());
+    row("percent by heading of rows", "id (%),400,450,500\na,10,30,50\nb,20,40,60\n",
+        declared(1).c_str());
+    row("percent by heading and signs",
+        "# Reflectance in %\nnm,a,b\n400,10%,20%\n450,30%,40%\n500,50%,60%\n");
+    row("a number of percent declares nothing",
+        "# Reflectance, humidity 45 %\nnm,a,b\n400,.1,.2\n450,.3,.4\n500,.5,.6\n");
     const std::string plain = "nm;a;b\r\n400;0,1;0,2\r\n450;0,3;0,4\r\n500;0,5;0,6\r\n";
     row("UTF-16 little", inUtf16(plain, false, true));
     row("UTF-16 big", inUtf16(plain, true, true));
@@ -101,6 +112,40 @@ class TableDialectsTest : public QObject {
       EXPECT_NEAR(spectra.value().reflectances[i], right[i], 1e-15);
     QCOMPARE(notes.size(), note.isEmpty() ? std::size_t{0} : std::size_t{1});
     if (!notes.empty()) QCOMPARE(QString::fromStdString(notes[0]), note);
+  }
+
+  // Dark skin under 450 nm reflects less than 1.5 %: what the file declares is believed.
+  void declaredPercentIsBelieved_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("line");
+    QTest::newRow("comment") << "# Reflectance in %\nnm,a\n400,.9\n500,1.2\n" << 1;
+    QTest::newRow("column") << "nm,%R\n400,.9\n500,1.2\n" << 1;
+    QTest::newRow("named column") << "nm,s [%]\n400,.9\n500,1.2\n" << 1;
+    QTest::newRow("unit below") << "nm,a\n[nm],[%]\n400,.9\n500,1.2\n" << 2;
+    QTest::newRow("word") << "Unit: percent\n\nnm,a\n400,.9\n500,1.2\n" << 1;
+  }
+  void declaredPercentIsBelieved() {
+    QFETCH(QString, text);
+    QFETCH(int, line);
+    std::vector<std::string> notes;
+    const auto spectra = parse(text.toStdString(), notes);
+    EXPECT_OK(spectra);
+    EXPECT_NEAR(spectra.value().reflectances[0], 0.009, 1e-12);
+    QCOMPARE(notes.size(), std::size_t{1});
+    QCOMPARE(notes[0], "d.csv:" + std::to_string(line) +
+                           ": reflectances are read as percent, as declared here, though none is "
+                           "above 1.5 %; if they are shares from 0 to 1, correct this line");
+  }
+
+  // What is no UTF-8 comes out as UTF-8.
+  void otherLettersAreReadAsWindows1252() {
+    std::vector<std::string> notes;
+    const auto spectra =
+        parse("nm,H\xE4nde,\x80 \x96 5,\xC3(\n400,.1,.2,.3\n500,.1,.2,.3\n", notes);
+    EXPECT_OK(spectra);
+    QVERIFY((spectra.value().ids ==
+             std::vector<std::string>{"H\xC3\xA4nde", "\xE2\x82\xAC \xE2\x80\x93 5", "\xC3\x83("}));
+    QCOMPARE(notes.size(), std::size_t{1});
   }
 
   void namesMayHoldAnything() {

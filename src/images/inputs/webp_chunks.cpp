@@ -1,14 +1,14 @@
-#include "src/images/color/webp_color.h"
+#include "src/images/inputs/webp_chunks.h"
 
 #include <cstdint>
 #include <fstream>
-
-#include "src/color/icc_profile.h"
+#include <utility>
 
 namespace cutis {
 namespace {
 
 constexpr std::streamoff kFirstRiffChunk = 12;
+constexpr std::uint32_t kLargestChunk = std::uint32_t{1} << 24;  // of those that are read
 
 std::uint32_t littleEndianAt(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -25,8 +25,8 @@ std::string withoutExifMark(const std::string& block) {
 
 }  // namespace
 
-WebPColors readWebPColors(const std::filesystem::path& path) {
-  WebPColors colors;
+WebPChunks readWebPChunks(const std::filesystem::path& path) {
+  WebPChunks chunks;
   std::ifstream stream(path, std::ios::binary);
   stream.seekg(kFirstRiffChunk);
   std::string head(8, '\0');
@@ -34,7 +34,8 @@ WebPColors readWebPColors(const std::filesystem::path& path) {
     const std::string name = head.substr(0, 4);
     const std::uint32_t length = littleEndianAt(head, 4);
     const std::streamoff padding = length % 2;
-    if ((name != "ICCP" && name != "EXIF") || length > kLargestProfileBytes) {
+    if (name == "ANMF") ++chunks.frames;
+    if ((name != "ICCP" && name != "EXIF") || length > kLargestChunk) {
       stream.seekg(std::streamoff{length} + padding, std::ios::cur);
       continue;
     }
@@ -42,11 +43,11 @@ WebPColors readWebPColors(const std::filesystem::path& path) {
     if (!stream.read(content.data(), static_cast<std::streamsize>(length))) break;
     stream.seekg(padding, std::ios::cur);
     if (name == "ICCP")
-      colors.profile = std::move(content);
+      chunks.profile = std::move(content);
     else
-      colors.exif = withoutExifMark(content);
+      chunks.exif = withoutExifMark(content);
   }
-  return colors;
+  return chunks;
 }
 
 }  // namespace cutis

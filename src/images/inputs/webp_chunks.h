@@ -1,7 +1,7 @@
-#pragma once  // internal to src/images/color
+#pragma once
 
-// What a WebP file says of its colours: the chunks ICCP and EXIF, which OpenImageIO does not hand
-// on (WebP container specification, "Extended File Format").
+// The chunks of a WebP file that OpenImageIO does not hand on (WebP container specification,
+// "Extended File Format").
 
 #include <filesystem>
 #include <optional>
@@ -9,12 +9,13 @@
 
 namespace cutis {
 
-struct WebPColors {
+struct WebPChunks {
   std::optional<std::string> profile;  // the ICC profile
   std::string exif;                    // the EXIF block, a TIFF structure
+  int frames = 0;                      // of an animation
 };
 
 // Chunks that are cut off or too large are not there. Precondition: the file begins like a WebP.
-WebPColors readWebPColors(const std::filesystem::path& path);
+WebPChunks readWebPChunks(const std::filesystem::path& path);
 
 }  // namespace cutis
