@@ -212,7 +212,8 @@ class ViewportTest : public test::UiTest {
 
   void theColourBarIsDrawn() {
     const QImage without = view_->grab().toImage();
-    view_->setColorBar(ColorBarSpec{"Melanin", "volume fraction", 0, 0.25});
+    view_->setColorBar(
+        ColorBarSpec{"Melanin", "volume fraction", 0, 0.25, ScaleKind::sequential, {}, true});
     const QImage with = view_->grab().toImage();
     QVERIFY(without.pixel(40, 580) != with.pixel(40, 580));
     QCOMPARE(without.pixel(600, 100), with.pixel(600, 100));
@@ -228,9 +229,10 @@ class ViewportTest : public test::UiTest {
     QFETCH(QSize, size);
     QImage canvas(size, QImage::Format_RGB32);
     QPainter painter(&canvas);
-    const QRectF covered =
-        drawColorBar(painter, view_->font(), QPointF(0, size.height()), QSizeF(size),
-                     ColorBarSpec{"Epidermal haemoglobin", "volume fraction", 0, 0.25});
+    const QRectF covered = drawColorBar(
+        painter, view_->font(), QPointF(0, size.height()), QSizeF(size),
+        ColorBarSpec{
+            "Epidermal haemoglobin", "volume fraction", 0, 0.25, ScaleKind::sequential, {}, true});
     QVERIFY(covered.width() * covered.height() <= 0.25 * size.width() * size.height());
     QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(covered) || covered.isEmpty());
   }
