@@ -13,6 +13,7 @@
 
 #include "core/spectra/colorimetry.h"
 #include "core/spectra/rgb_primaries.h"
+#include "src/color/icc_header.h"
 #include "src/color/icc_table.h"
 #include "src/color/matrix_space.h"
 
@@ -20,7 +21,6 @@ namespace cutis {
 namespace {
 
 constexpr std::size_t kLongestDescription = 80;
-constexpr std::size_t kHeaderBytes = 128;
 constexpr int kGreySamples = 4096;
 
 std::string descriptionOf(cmsHPROFILE profile) {
@@ -110,13 +110,13 @@ class Reader {
     std::size_t length = 0;
     for (const char byte : bytes_.substr(0, 4))
       length = length << 8 | static_cast<unsigned char>(byte);
-    return bytes_.size() < std::max(length, kHeaderBytes);
+    return bytes_.size() < std::max(length, kIccHeaderBytes);
   }
 
   std::string whyItDoesNotOpen() const {
     constexpr std::size_t kMarkAt = 36;
     if (bytes_.empty()) return "it cannot be unpacked";
-    if (bytes_.size() >= kHeaderBytes && bytes_.substr(kMarkAt, 4) != "acsp")
+    if (bytes_.size() >= kIccHeaderBytes && bytes_.substr(kMarkAt, 4) != "acsp")
       return "it does not begin like an ICC profile";
     return isCutOff() ? "it is cut off" : "it is damaged";
   }

@@ -8,12 +8,11 @@
 
 #include "core/spectra/colorimetry.h"
 #include "core/spectra/rgb_primaries.h"
+#include "src/color/icc_header.h"
 #include "src/color/icc_profile.h"
 
 namespace cutis {
 namespace {
-
-constexpr std::size_t kHeaderBytes = 128;
 
 void putInteger(std::string& out, std::uint64_t value, int bytes) {
   for (int shift = 8 * (bytes - 1); shift >= 0; shift -= 8)
@@ -81,7 +80,7 @@ std::string header(std::size_t size) {
   out.resize(68, '\0');
   for (const double value : {0.9642, 1.0, 0.8249})
     putFixed(out, value);
-  out.resize(kHeaderBytes, '\0');
+  out.resize(kIccHeaderBytes, '\0');
   return out;
 }
 
@@ -90,7 +89,7 @@ using Tag = std::pair<std::string, std::string>;  // signature, content
 std::string profileOf(const std::vector<Tag>& tags) {
   std::string table, contents;
   putInteger(table, tags.size(), 4);
-  const std::size_t start = kHeaderBytes + 4 + 12 * tags.size();
+  const std::size_t start = kIccHeaderBytes + 4 + 12 * tags.size();
   std::vector<std::size_t> offsets;
   for (std::size_t i = 0; i < tags.size(); ++i) {
     const auto same = std::find_if(tags.begin(), tags.begin() + static_cast<std::ptrdiff_t>(i),

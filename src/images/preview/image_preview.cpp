@@ -35,17 +35,18 @@ std::optional<Subject> subjectOf(ImageReader& reader, const std::filesystem::pat
                                  const PreviewOptions& options) {
   const auto layers = layersOf(reader);
   if (!layers) return std::nullopt;
-  auto layer = chooseLayer(layers.value(), options.layer, reader.place());
-  if (!layer) return std::nullopt;
-  auto part = reader.part(layer.value().part);
+  auto chosen = chooseLayer(layers.value(), options.layer, reader.place());
+  if (!chosen) return std::nullopt;
+  ImageLayer& layer = chosen.value().layer;
+  auto part = reader.part(layer.part);
   if (!part || !reader.includeOverscan(part.value())) return std::nullopt;
   const FileColors colors = fileColors(path, reader.kind(), part.value());
   const auto decision = decideColors(colors, options.colorSpace, reader.place());
-  const bool isMeant = layer.value().colors || layers.value().size() == 1 || !options.layer.empty();
+  const bool isMeant = layer.colors || layers.value().size() == 1 || !options.layer.empty();
   if (!isMeant || !decision || colors.isConverted) return std::nullopt;
   Subject subject;
   subject.part = std::move(part.value());
-  subject.layer = std::move(layer.value());
+  subject.layer = std::move(layer);
   subject.toLinear = decision.value().followed.space.toLinearRec709;
   const Rect& window = subject.part.window;
   subject.reduction = reductionOf(std::max(window.width(), window.height()), options.leastSide);
