@@ -252,6 +252,8 @@ class DocumentTabsTest : public test::UiTest {
     for (const QString& name : names)
       urls << QUrl::fromLocalFile(file(name.toStdString()));
     dropped.setUrls(urls);
+    QDragEnterEvent enter({50, 50}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window_.get(), &enter);
     QDropEvent event(QPointF(50, 50), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(window_.get(), &event);
   }

@@ -6,7 +6,9 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QtTest>
 
@@ -222,8 +224,8 @@ class MainWindowTest : public test::UiTest {
 
   void nothingIsFetchedFromTheNetwork() {
     QVERIFY(drop({QUrl("https://example.org/face.exr")}));
-    QVERIFY(window_->isIdle());
-    QVERIFY(window_->progress().message().contains("save it here first"));
+    QTRY_VERIFY(window_->progress().message().contains("save it here first"));
+    QTRY_VERIFY(window_->isIdle());
     QVERIFY(!window_->document().isOpen());
   }
 
@@ -254,6 +256,31 @@ class MainWindowTest : public test::UiTest {
     QVERIFY(!window_->document().isFitted());
   }
 
+  // What was to be waited for has not come; the window stays, with what it says of it.
+  void quittingStaysWhereAFileIsNotWritten() {
+    openSample();
+    window_->exports().exportAlbedo(file("no_such_folder/never.png"));
+    window_->close();
+    if (QMessageBox* asked = question()) {
+      QTest::mouseClick(asked->defaultButton(), Qt::LeftButton);
+      QTest::qWait(500);
+    }
+    waitUntilIdle();
+    QVERIFY(window_->isVisible());
+    QVERIFY2(window_->progress().messageIsError(), qPrintable(window_->progress().message()));
+    window_->close();
+    QTRY_VERIFY(!window_->isVisible());
+  }
+
+  void clearingPrivateDataIsNotTheUsualAnswer() {
+    window_->commands().run("file.clearPrivateData");
+    QVERIFY(question() != nullptr);
+    QCOMPARE(question()->defaultButton()->text(), QString("Cancel"));
+    QVERIFY(question()->informativeText().contains("nsaved edits"));
+    QTest::keyClick(question(), Qt::Key_Return);
+    QTRY_VERIFY(question() == nullptr);
+  }
+
   void closingWhileWorkingIsSafe() {
     window_->opener().openSample();
     QTest::qWait(100);
@@ -270,6 +297,13 @@ class MainWindowTest : public test::UiTest {
     window_->show();
   }
 
+  // That stands before the window; null if none does.
+  QMessageBox* question() const {
+    for (QMessageBox* box : window_->findChildren<QMessageBox*>()) {
+      if (box->isVisible()) return box;
+    }
+    return nullptr;
+  }
   QString file(const std::string& name) const {
     return QString::fromStdString((folder_ / name).string());
   }

@@ -234,6 +234,8 @@ class MaskWindowTest : public test::UiTest {
     QApplication::sendEvent(window_.get(), &enter);
     QDropEvent event({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(window_.get(), &event);
+    // The window looks at what was dropped when the program that it comes from is free again.
+    QTest::qWait(1);
   }
 
   NoticeBar& notice() const { return window_->tabs().current().notice(); }

@@ -141,22 +141,6 @@ class ProjectWindowTest : public test::UiTest {
     QCOMPARE(savedFactor("waited.cutis"), 2.0);
   }
 
-  // What was to be waited for has not come; the window stays, with what it says of it.
-  void quittingStaysWhereAFileIsNotWritten() {
-    open("one.png");
-    window_->exports().exportAlbedo(file("no_such_folder/never.png"));
-    window_->close();
-    if (question() != nullptr) {
-      answer("Wait and close");
-      QTest::qWait(500);
-    }
-    waitUntilIdle();
-    QVERIFY(window_->isVisible());
-    QVERIFY2(window_->progress().messageIsError(), qPrintable(window_->progress().message()));
-    window_->close();
-    QTRY_VERIFY(!window_->isVisible());
-  }
-
   void aChangedSourceIsOffered() {
     paint("live.png", QColor(190, 140, 120));
     open("live.png");
@@ -323,15 +307,6 @@ class ProjectWindowTest : public test::UiTest {
     QTRY_VERIFY(!recent->actions()[0]->icon().isNull());
     clearPrivateData();
     QVERIFY(!fs::exists(kept));
-  }
-
-  void clearingPrivateDataIsNotTheUsualAnswer() {
-    window_->commands().run("file.clearPrivateData");
-    QVERIFY(question() != nullptr);
-    QCOMPARE(question()->defaultButton()->text(), QString("Cancel"));
-    QVERIFY(question()->informativeText().contains("nsaved edits"));
-    QTest::keyClick(question(), Qt::Key_Return);
-    QTRY_VERIFY(question() == nullptr);
   }
 
   void recentFilesAreAtHandAndForgotten() {

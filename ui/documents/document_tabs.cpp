@@ -243,6 +243,7 @@ void DocumentTabs::close(DocumentPage& page) {
   stack_->removeWidget(&page);
   behind_.erase(&page);
   delete &page;
+  refreshTitles();
   Q_EMIT currentChanged();
 }
 

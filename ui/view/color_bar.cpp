@@ -54,12 +54,14 @@ Layout layoutOf(const QFont& font, const QSizeF& picture, const ColorBarSpec& sp
   layout.size.setWidth(words + 2 * layout.padding);
   layout.size.setHeight(layout.numbers().bottom() + layout.padding);
   const qreal room = kLargestShare * picture.width() * picture.height();
-  if (layout.size.width() * layout.size.height() <= room) return layout;
+  const bool hasRoom = layout.size.width() * layout.size.height() <= room;
+  if (hasRoom && layout.size.width() <= picture.width()) return layout;
   layout.isWhole = false;
   layout.padding = 4;
   layout.barHeight = 6;
   layout.size.setHeight(layout.numbers().bottom() + layout.padding);
-  layout.size.setWidth(std::min(layout.size.width(), room / layout.size.height()));
+  layout.size.setWidth(
+      std::min({layout.size.width(), room / layout.size.height(), picture.width()}));
   return layout;
 }
 

@@ -121,10 +121,9 @@ class LayoutFinder {
       --end;
     }
     noteLeftOut(header, end);
-    if (std::any_of(header.fields.begin(),
-                    header.fields.begin() + static_cast<std::ptrdiff_t>(first), declaresPercent)) {
+    const auto names = std::span(header.fields).first(first);
+    if (std::any_of(names.begin(), names.end(), declaresPercent))
       layout_.percentPlace = layout_.headerPlace;
-    }
     std::vector<Found> found;
     for (std::size_t c = first; c < end; ++c) {
       const auto wavelength = wavelengthOf(header.fields[c], format_);
