@@ -5,7 +5,6 @@
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QImage>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QSettings>
@@ -241,8 +240,8 @@ class DocumentTabsTest : public test::UiTest {
     return QString::fromStdString((folder_ / name).string());
   }
   QString readout() const {
-    for (const QLabel* label : window_->progress().findChildren<QLabel*>()) {
-      if (label->accessibleName() == "Under the cursor") return label->text();
+    for (const QWidget* part : window_->progress().findChildren<QWidget*>()) {
+      if (part->accessibleDescription() == "Under the cursor") return part->accessibleName();
     }
     return {};
   }
