@@ -16,6 +16,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_palette.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
@@ -43,12 +44,7 @@ class CommandsTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
-  }
+  void initTestCase() { test::keepSettingsIn(folder_.path()); }
 
   void idsAndShortcutsAreUnique() {
     QStringList ids, shortcuts;

@@ -14,6 +14,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/docks/edit_controller.h"
@@ -34,10 +35,7 @@ class DocumentTabsTest : public test::UiTest {
 
  private slots:
   void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
+    test::keepSettingsIn(folder_.path());
     for (const auto& [name, color] :
          {std::pair("one.png", QColor(200, 150, 130)), std::pair("two.png", QColor(120, 80, 60))}) {
       QImage image(40, 30, QImage::Format_RGB32);

@@ -15,6 +15,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/training_controller.h"
@@ -46,10 +47,7 @@ class FitWindowTest : public test::UiTest {
 
  private slots:
   void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
+    test::keepSettingsIn(folder_.path());
     std::string text(*resource("profiles/li2024.json"));
     const std::string thickness = "\"thickness_mm\": 0.32";
     text.replace(text.find(thickness), thickness.size(), "\"thickness_mm\": 0.31");

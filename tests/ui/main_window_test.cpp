@@ -15,6 +15,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/open_controller.h"
@@ -37,12 +38,7 @@ class MainWindowTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
-  }
+  void initTestCase() { test::keepSettingsIn(folder_.path()); }
 
   void theSampleOpensAndIsFitted() {
     openSample();
@@ -297,13 +293,7 @@ class MainWindowTest : public test::UiTest {
     window_->show();
   }
 
-  // That stands before the window; null if none does.
-  QMessageBox* question() const {
-    for (QMessageBox* box : window_->findChildren<QMessageBox*>()) {
-      if (box->isVisible()) return box;
-    }
-    return nullptr;
-  }
+  QMessageBox* question() const { return test::questionBefore(*window_); }
   QString file(const std::string& name) const {
     return QString::fromStdString((folder_ / name).string());
   }

@@ -15,6 +15,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_as_dialog.h"
 #include "ui/dialogs/open_controller.h"
@@ -44,10 +45,7 @@ class MaskWindowTest : public test::UiTest {
 
  private slots:
   void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
+    test::keepSettingsIn(folder_.path());
     using namespace mask_window;
     paint("face.png", QColor(200, 150, 130), QSize(kWidth, kHeight));
     paint("plain/skin.png", QColor(190, 140, 120), QSize(kWidth, kHeight));
@@ -69,7 +67,7 @@ class MaskWindowTest : public test::UiTest {
     QCOMPARE(notice().text(), QString("face_mask.png lies beside it: use it as the mask?"));
     QCOMPARE(masked(), std::uint64_t{0});
     window_->edits().setFactor(kMelanin, 2.0, false);
-    press(notice(), "Use as mask");
+    test::pressButton(notice(), "Use as mask");
     waitUntilIdle();
     QVERIFY(!notice().isVisible());
     QCOMPARE(masked(), mask_window::kHalf);
@@ -92,7 +90,7 @@ class MaskWindowTest : public test::UiTest {
 
   void whoDeclinesIsNotAskedAgain() {
     open("face.png");
-    press(notice(), "No");
+    test::pressButton(notice(), "No");
     QVERIFY(!notice().isVisible());
     window_->document().reload();
     waitUntilIdle();
@@ -161,7 +159,7 @@ class MaskWindowTest : public test::UiTest {
   // And its edits, its mask and its tab are kept.
   void whatIsOpenIsReadInAnotherWay() {
     open("face.png");
-    press(notice(), "Use as mask");
+    test::pressButton(notice(), "Use as mask");
     waitUntilIdle();
     window_->edits().setFactor(kMelanin, 2.0, false);
     window_->activateWindow();
@@ -180,7 +178,7 @@ class MaskWindowTest : public test::UiTest {
     }
     const std::string space = dialog->choice().source.colorSpace;
     QVERIFY(!space.empty());
-    press(*dialog, "&Apply");
+    test::pressButton(*dialog, "&Apply");
     waitUntilIdle();
     QCOMPARE(window_->document().openChoice().source.colorSpace, space);
     QVERIFY(window_->document().scene().source->colors.followed.space.isLinear());
@@ -247,38 +245,9 @@ class MaskWindowTest : public test::UiTest {
     const auto* panel = window_->tabs().current().findChild<InfoPanel*>();
     return !panel->findItems(part, Qt::MatchContains).isEmpty();
   }
-  QMessageBox* question() const {
-    for (QMessageBox* box : window_->findChildren<QMessageBox*>()) {
-      if (box->isVisible()) return box;
-    }
-    return nullptr;
-  }
-  void answer(const QString& text) {
-    QVERIFY2(question() != nullptr, qPrintable(text));
-    press(*question(), text);
-    QTest::qWait(1);
-  }
-  void press(QWidget& parent, const QString& text) {
-    for (QPushButton* button : parent.findChildren<QPushButton*>()) {
-      if (button->text() == text) return QTest::mouseClick(button, Qt::LeftButton);
-    }
-    QFAIL(qPrintable("no button " + text));
-  }
-  // In the dialog of files that opens next, as if typed.
-  void chooseInDialog(const QString& path) {
-    auto* timer = new QTimer(window_.get());
-    connect(timer, &QTimer::timeout, window_.get(), [timer, path] {
-      for (QWidget* widget : QApplication::topLevelWidgets()) {
-        auto* dialog = qobject_cast<QFileDialog*>(widget);
-        if (dialog == nullptr || !dialog->isVisible()) continue;
-        timer->deleteLater();
-        dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
-        static_cast<QDialog*>(dialog)->accept();
-        return;
-      }
-    });
-    timer->start(50);
-  }
+  QMessageBox* question() const { return test::questionBefore(*window_); }
+  void answer(const QString& text) { test::answerQuestion(*window_, text); }
+  void chooseInDialog(const QString& path) { test::chooseInNextDialog(*window_, path); }
 
   test::ScratchFolder folder_;
   std::unique_ptr<MainWindow> window_;

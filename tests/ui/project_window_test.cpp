@@ -19,6 +19,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/save_controller.h"
@@ -44,10 +45,7 @@ class ProjectWindowTest : public test::UiTest {
 
  private slots:
   void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
+    test::keepSettingsIn(folder_.path());
     paint("one.png", QColor(200, 150, 130));
     paint("two.png", QColor(120, 80, 60));
   }
@@ -150,12 +148,12 @@ class ProjectWindowTest : public test::UiTest {
     NoticeBar& bar = window_->tabs().current().notice();
     QTRY_VERIFY(bar.isVisible());
     QVERIFY(bar.text().contains("live.png has changed on disk"));
-    press(bar, "Keep");
+    test::pressButton(bar, "Keep");
     QVERIFY(!bar.isVisible());
     paint("live.png", QColor(170, 120, 100));
     window_->document().checkSource();
     QTRY_VERIFY(bar.isVisible());
-    press(bar, "Reload");
+    test::pressButton(bar, "Reload");
     waitUntilIdle();
     QVERIFY(!bar.isVisible());
     QCOMPARE(window_->document().scene().edits.front().parameters[kMelanin].scale, 2.0);
@@ -170,7 +168,7 @@ class ProjectWindowTest : public test::UiTest {
     paint("watched.png", QColor(180, 130, 110));
     NoticeBar& bar = window_->tabs().current().notice();
     QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible(), 8000);
-    press(bar, "Keep");
+    test::pressButton(bar, "Keep");
     fs::remove(folder_ / "watched.png");
     QTRY_VERIFY_WITH_TIMEOUT(window_->progress().message().contains("watched.png is no longer"),
                              12000);
@@ -387,39 +385,9 @@ class ProjectWindowTest : public test::UiTest {
                   "4194304\ntest_ui\n" + QSysInfo::machineHostName().toStdString() + "\n");
   }
 
-  QMessageBox* question() const {
-    for (QMessageBox* box : window_->findChildren<QMessageBox*>()) {
-      if (box->isVisible()) return box;
-    }
-    return nullptr;
-  }
-  void answer(const QString& text) {
-    QMessageBox* box = question();
-    QVERIFY2(box != nullptr, qPrintable(text));
-    press(*box, text);
-    QTest::qWait(1);
-  }
-  void press(QWidget& parent, const QString& text) {
-    for (QPushButton* button : parent.findChildren<QPushButton*>()) {
-      if (button->text() == text) return QTest::mouseClick(button, Qt::LeftButton);
-    }
-    QFAIL(qPrintable("no button " + text));
-  }
-  // In the dialog of files that opens next, as if typed.
-  void chooseInDialog(const QString& path) {
-    auto* timer = new QTimer(window_.get());
-    connect(timer, &QTimer::timeout, window_.get(), [timer, path] {
-      for (QWidget* widget : QApplication::topLevelWidgets()) {
-        auto* dialog = qobject_cast<QFileDialog*>(widget);
-        if (dialog == nullptr || !dialog->isVisible()) continue;
-        timer->deleteLater();
-        dialog->findChild<QLineEdit*>("fileNameEdit")->setText(path);
-        static_cast<QDialog*>(dialog)->accept();
-        return;
-      }
-    });
-    timer->start(50);
-  }
+  QMessageBox* question() const { return test::questionBefore(*window_); }
+  void answer(const QString& text) { test::answerQuestion(*window_, text); }
+  void chooseInDialog(const QString& path) { test::chooseInNextDialog(*window_, path); }
   QMenu* recentMenu() const {
     for (QMenu* menu : window_->findChildren<QMenu*>()) {
       if (menu->title() == "Open &recent") return menu;

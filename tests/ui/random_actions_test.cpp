@@ -11,6 +11,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/documents/document_page.h"
@@ -33,10 +34,7 @@ class RandomActionsTest : public test::UiTest {
 
  private slots:
   void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
+    test::keepSettingsIn(folder_.path());
     QImage image(48, 32, QImage::Format_RGB32);
     image.fill(QColor(205, 150, 125));
     QVERIFY(image.save(file("skin.png")));

@@ -118,7 +118,8 @@ void Document::startOpening(const QString& name, const std::filesystem::path& pa
                     auto opened = open(contextOf(job), showsPreview && !isSeen ? &rows : nullptr);
                     if (opened.failed()) {
                       job.post([this, path, sentence = sentenceOf(opened.error())] {
-                        Q_EMIT openingFailed(QString::fromStdString(path.string()), sentence);
+                        if (!path.empty())
+                          Q_EMIT openingFailed(QString::fromStdString(path.string()), sentence);
                         Q_EMIT failed(sentence);
                       });
                     } else if (opened) {

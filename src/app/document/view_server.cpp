@@ -179,11 +179,11 @@ void ViewServer::startNext() {
 }
 
 void ViewServer::start(ViewWatch& watch, Quality quality) {
+  const bool hasMeans = willBeAveraged(watch, watch.request_);
   const bool isDraft =
-      quality == Quality::coarse ||
-      (quality == Quality::sharp && document_.isFitted() && willBeAveraged(watch, watch.request_));
-  task_ = {watch.id_, quality, isDraft ? ViewAccuracy::draft : ViewAccuracy::exact, watch.request_,
-           state_};
+      quality == Quality::coarse || (quality == Quality::sharp && document_.isFitted() && hasMeans);
+  task_ = {watch.id_, quality,        isDraft ? ViewAccuracy::draft : ViewAccuracy::exact,
+           hasMeans,  watch.request_, state_};
   job_ = jobs_.startQuiet(
       [this, task = task_, known = Made{nullptr, watch.samples_, watch.coarse_, skin_},
        scene = document_.scene(), picture = picture_](const JobRunner::Handle& job) {
@@ -217,6 +217,8 @@ Result<ViewServer::Made> ViewServer::make(const Task& task, Made known, const Sc
     known.coarse = std::make_shared<const ViewSamples>(std::move(coarse));
   }
   if (isAveraged) {
+    known.part = nullptr;
+    if (!task.hasMeans) return known;
     CUTIS_TRY(part, renderAveraged(scene, engine_, picture, task.request, context));
     known.part = std::make_shared<const ViewPart>(std::move(part));
     return known;
@@ -239,8 +241,8 @@ void ViewServer::deliver(const Task& task, const Made& made) {
       watch.coarse_ = made.coarse;
     }
     watch.averageDue_ =
-        task.quality == Quality::sharp && !watch.due_ && willBeAveraged(watch, task.request);
-    watch.show_(made.part);
+        task.quality == Quality::sharp && !watch.due_ && watch.priority_ == ViewPriority::detail;
+    if (made.part != nullptr) watch.show_(made.part);
   }
   startNext();
 }

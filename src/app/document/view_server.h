@@ -65,7 +65,7 @@ class ViewWatch {
   Show show_;
   ViewRequest request_;
   bool due_ = false;         // the last part shown is not of this state, or none was
-  bool averageDue_ = false;  // it is, but its samples are single texels and not yet their means
+  bool averageDue_ = false;  // it is, but nothing was done yet that waits for everything else
   bool seen_ = true;
   // Of the request and the maps as they are, if they were read; and every other one of them.
   std::shared_ptr<const ViewSamples> samples_;
@@ -98,10 +98,10 @@ class ViewServer : public QObject {
   enum class Quality {
     coarse,   // half the resolution of the screen
     sharp,    // one texel for each pixel of it
-    averaged  // all texels
+    averaged  // all texels, where they have a mean; and what the next move will ask for
   };
   struct Made {
-    std::shared_ptr<const ViewPart> part;
+    std::shared_ptr<const ViewPart> part;  // null: nothing new to be shown
     std::shared_ptr<const ViewSamples> samples;
     std::shared_ptr<const ViewSamples> coarse;
     std::shared_ptr<const ViewSkin> skin;  // that the view has read, or another before it
@@ -111,6 +111,7 @@ class ViewServer : public QObject {
     std::uint64_t watch = 0;
     Quality quality = Quality::sharp;
     ViewAccuracy accuracy = ViewAccuracy::exact;
+    bool hasMeans = false;  // that differ from its samples
     ViewRequest request;
     std::uint64_t state = 0;
   };

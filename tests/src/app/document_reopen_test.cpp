@@ -147,6 +147,24 @@ class DocumentReopenTest : public QObject {
     QVERIFY(again.failed.takeLast()[0].toString().contains("shading"));
   }
 
+  // What is open stays, and nobody is asked how a file of no name is to be read.
+  void whatCannotBeReadAgainStaysAsItIs() {
+    const ScratchFolder folder;
+    writeTexture(folder / "face.png");
+    reopen::Desk desk(engine_);
+    QVERIFY(desk.open(folder / "face.png"));
+    desk.tan();
+    QSignalSpy openingFailed(&desk.document, &Document::openingFailed);
+    OpenChoice choice = desk.document.openChoice();
+    choice.source.mask = folder / "missing_mask.png";
+    desk.document.reopen(choice);
+    QTRY_COMPARE(desk.failed.count(), 1);
+    QCOMPARE(openingFailed.count(), 0);
+    QVERIFY(desk.wait());
+    QVERIFY(desk.document.openChoice().source.mask.empty());
+    QCOMPARE(desk.melanin(), 2.0);
+  }
+
   void aTextureHasNoReflection() {
     const ScratchFolder folder;
     writeTexture(folder / "face.png");

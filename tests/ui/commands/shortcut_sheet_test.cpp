@@ -14,6 +14,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/commands/command_registry.h"
 #include "ui/commands/key_catcher.h"
 
@@ -24,12 +25,7 @@ class ShortcutSheetTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(folder_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
-  }
+  void initTestCase() { test::keepSettingsIn(folder_.path()); }
 
   void commandsStandInTheirMenus() {
     QCOMPARE(tree_->topLevelItemCount(), 2);

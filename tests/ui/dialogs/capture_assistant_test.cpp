@@ -19,6 +19,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "tests/ui/window_steps.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/documents/document_page.h"
 #include "ui/documents/document_tabs.h"
@@ -67,12 +68,7 @@ class CaptureAssistantTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope,
-                       QString::fromStdString(scratch_.path().string()));
-    QCoreApplication::setOrganizationName("cutis-test");
-  }
+  void initTestCase() { test::keepSettingsIn(scratch_.path()); }
 
   void aFolderOfPhotographsIsAskedAbout() {
     writeThree();
