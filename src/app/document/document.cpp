@@ -1,12 +1,8 @@
 #include "src/app/document/document.h"
 
-#include <array>
 #include <utility>
 #include <vector>
 
-#include "core/fit/discrepancy_choice.h"
-#include "core/fit/spectrum_posterior.h"
-#include "core/skin/parameter_buffer.h"
 #include "src/app/fit_method.h"
 #include "src/app/open/source_fit.h"
 #include "src/app/project/manifest.h"
@@ -30,15 +26,6 @@ bool isShownWhileFitted(const ChromophoreMaps& maps) {
 
 QString sentenceOf(const Error& error) {
   return QString::fromStdString(error.text());
-}
-
-// Precondition: the buffer is of one pixel.
-ParameterVector onlyPixelOf(const ParameterBuffer& buffer) {
-  ParameterVector parameters;
-  for (const Parameter k : kParameters) {
-    parameters[k] = double{buffer.values[static_cast<std::size_t>(k)].front()};
-  }
-  return parameters;
 }
 
 }  // namespace
@@ -381,71 +368,6 @@ void Document::setEdits(bool moving) {
   scene_->edits = history_.current().edits;
   Q_EMIT editsChanged(moving);
   Q_EMIT modifiedChanged();
-}
-
-std::optional<Document::PixelParameters> Document::parametersAt(int x, int y) const {
-  if (!scene_ || !scene_->maps.state.bounds().contains(x, y)) return std::nullopt;
-  const Rect pixel = {x, y, x + 1, y + 1};
-  const auto original = loadParameters(scene_->maps, pixel);
-  const auto edited = loadEdited(*scene_, pixel);
-  if (!original || !edited || !original.value().present.front()) return std::nullopt;
-  return PixelParameters{onlyPixelOf(original.value()), onlyPixelOf(edited.value())};
-}
-
-std::optional<Document::PixelSpectra> Document::spectraAt(int x, int y) const {
-  if (!scene_ || !scene_->maps.state.bounds().contains(x, y)) return std::nullopt;
-  const Rect pixel = {x, y, x + 1, y + 1};
-  const auto original = loadParameters(scene_->maps, pixel);
-  const auto edited = loadEdited(*scene_, pixel);
-  if (!original || !edited || !original.value().present.front()) return std::nullopt;
-  PixelSpectra spectra;
-  spectra.constants = constantsOf(scene_->model->profile());
-  const FreeConstants free = scene_->maps.free();
-  std::size_t row = kParameterCount;
-  for (const SkinConstant constant : kSkinConstants) {
-    if (free.has(constant))
-      spectra.constants[constant] = double{original.value().values[row++].front()};
-  }
-  std::vector<double> coefficients;
-  while (row < original.value().values.rowCount())
-    coefficients.push_back(double{original.value().values[row++].front()});
-  // Without constants of the pixels' own it is made at once.
-  const auto made =
-      scene_->spectra
-          ? Result<SkinSpectra>(*scene_->spectra)
-          : SkinSpectra::make(scene_->model, {{}, scene_->maps.perPixel().discrepancy}, {});
-  if (!made) return std::nullopt;
-  const auto reflectance = [&](const ParameterVector& parameters) {
-    return made.value().reflectance(parameters, spectra.constants, coefficients);
-  };
-  spectra.originalParameters = onlyPixelOf(original.value());
-  spectra.original = reflectance(spectra.originalParameters);
-  spectra.editedParameters = onlyPixelOf(edited.value());
-  spectra.edited = reflectance(spectra.editedParameters);
-  std::vector<double> values(spectra.originalParameters.begin(), spectra.originalParameters.end());
-  values.insert(values.end(), coefficients.begin(), coefficients.end());
-  spectra.deviation = deviationAt(x, y, values);
-  return spectra;
-}
-
-std::optional<Spectrum> Document::deviationAt(int x, int y, std::span<const double> values) const {
-  const bool isKnown = scene_->source != nullptr && choice_.method == FitMethod::refined &&
-                       !choice_.shading && scene_->maps.free().count() == 0;
-  if (!isKnown) return std::nullopt;
-  const Measurements& measurements = scene_->source->measurements;
-  const auto options = fitOptions(choice_, scene_->model->profile());
-  if (!options) return std::nullopt;
-  std::vector<double> channels;
-  for (std::size_t k = 0; k < measurements.channels.size(); ++k) {
-    std::array<float, 1> value;
-    if (!measurements.loadChannel(k, {x, y, x + 1, y + 1}, value)) return std::nullopt;
-    channels.push_back(double{value[0]});
-  }
-  const SpectrumPosterior posterior(*scene_->model, measurements.rig,
-                                    suitedTo(measurements, options.value()));
-  // While a fit with another profile runs, the maps are still those of the last one.
-  if (values.size() != posterior.valueCount()) return std::nullopt;
-  return posterior.deviation(channels, values);
 }
 
 }  // namespace cutis
