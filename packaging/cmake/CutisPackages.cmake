@@ -11,7 +11,7 @@ set(CUTIS_MAINTAINER "The Cutis authors <authors@cutis.invalid>" CACHE STRING
     "Who builds the packages, with an address for their users")
 
 install(TARGETS cutis-cli DESTINATION bin COMPONENT cli)
-# Where moduleSymbol() of src/files/io/platform.h looks for it. One folder higher, CPack would take it
+# Where moduleSymbol() of src/files/system/platform.h looks for it. One folder higher, CPack would take it
 # for a library for all and run ldconfig.
 install(TARGETS cutis_rasteriser DESTINATION lib/cutis/modules COMPONENT cli)
 install(FILES LICENSE NOTICE packaging/debian/copyright DESTINATION share/doc/cutis-cli COMPONENT cli)

@@ -60,7 +60,7 @@ endfunction()
 # cutis_module(NAME FOLDER SOURCES ... [EXTERNAL TARGET...])
 #
 # A part of a program that is loaded when it is first needed, from beside the program or from
-# ../lib/cutis/modules (moduleSymbol() of src/files/io/platform.h).
+# ../lib/cutis/modules (moduleSymbol() of src/files/system/platform.h).
 function(cutis_module name folder)
   cmake_parse_arguments(ARG "" "" "SOURCES;EXTERNAL" ${ARGN})
   add_library(${name} MODULE ${ARG_SOURCES})

@@ -14,7 +14,7 @@
 #include "core/fit/fit_run.h"
 #include "core/simulate/photograph.h"
 #include "core/simulate/skin_patch.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/base/echoed_text.h"
-#include "src/files/io/error_stream.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/error_stream.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 namespace {

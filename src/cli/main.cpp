@@ -1,6 +1,6 @@
 #include "src/cli/program.h"
-#include "src/files/io/error_stream.h"
-#include "src/files/io/last_words.h"
+#include "src/files/system/error_stream.h"
+#include "src/files/system/last_words.h"
 
 int main(int argc, char** argv) {
   cutis::keepStandardStreams();

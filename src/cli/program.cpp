@@ -22,9 +22,9 @@
 #include "src/cli/console.h"
 #include "src/cli/help_format.h"
 #include "src/cli/options/train_options.h"
-#include "src/files/io/interruption.h"
-#include "src/files/io/last_words.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/interruption.h"
+#include "src/files/system/last_words.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "src/files/io/atomic_write.h"
 #include "src/files/io/file_extension.h"
-#include "src/files/io/platform.h"
 #include "src/files/resources.h"
+#include "src/files/system/platform.h"
 #include "src/report/rasteriser.h"
 #include "src/report/svg.h"
 

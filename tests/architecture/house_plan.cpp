@@ -57,7 +57,8 @@ constexpr Room kRooms[] = {
     {"core/calibrate",
      "core/base core/maths core/spectra core/skin/* core/rig core/fit/* core/evaluate"},
 
-    {"src/files/io", "core/base"},
+    {"src/files/system", "core/base"},
+    {"src/files/io", "core/base src/files/system"},
     {"src/files/spectra", "core/base core/spectra src/files/io"},
     {"src/files", "core/* resources src/files/io src/files/spectra"},
     {"src/files/profiles", "core/* resources src/files src/files/io src/files/spectra"},
@@ -68,7 +69,8 @@ constexpr Room kRooms[] = {
     {"src/color", "core/* src/files/*"},
     {"src/images/inputs", "core/base src/files/io"},
     {"src/images/codec",
-     "core/base core/spectra src/files/io src/color src/images/pixels src/images/inputs"},
+     "core/base core/spectra src/files/io src/files/system src/color src/images/pixels "
+     "src/images/inputs"},
     {"src/images/color", "core/* src/files/io src/color src/images/codec src/images/inputs"},
     {"src/images",
      "core/* src/files/io src/color src/images/codec src/images/color src/images/pixels"},

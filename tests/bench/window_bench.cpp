@@ -23,7 +23,7 @@
 #include <QTimer>
 
 #include "src/app/document/document.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 #include "ui/commands/command_registry.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/theme/theme.h"

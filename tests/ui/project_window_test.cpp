@@ -15,7 +15,7 @@
 #include <QtTest>
 
 #include "src/app/project/manifest.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"

@@ -12,7 +12,7 @@
 
 #include "core/base/content_hash.h"
 #include "src/app/job_runner.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "src/app/project/journal.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 #include "ui/dialogs/last_folder.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/question.h"

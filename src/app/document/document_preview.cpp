@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "src/app/document/document.h"
-#include "src/files/io/free_memory.h"
+#include "src/files/system/free_memory.h"
 
 namespace cutis {
 

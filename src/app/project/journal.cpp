@@ -8,7 +8,7 @@
 
 #include "src/app/project/manifest.h"
 #include "src/files/io/atomic_write.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 

@@ -7,8 +7,8 @@
 
 #include "src/app/project/manifest.h"
 #include "src/files/io/atomic_write.h"
-#include "src/files/io/platform.h"
-#include "src/files/io/temporary_path.h"
+#include "src/files/system/platform.h"
+#include "src/files/system/temporary_path.h"
 #include "src/images/codec/source_file.h"
 
 namespace cutis {

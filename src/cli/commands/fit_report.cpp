@@ -9,7 +9,7 @@
 #include "core/base/parallel.h"
 #include "src/app/fit_method.h"
 #include "src/files/io/atomic_write.h"
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 namespace {

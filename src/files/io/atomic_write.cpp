@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "src/files/io/output_target.h"
-#include "src/files/io/platform.h"
-#include "src/files/io/temporary_path.h"
+#include "src/files/system/platform.h"
+#include "src/files/system/temporary_path.h"
 
 namespace cutis {
 

@@ -23,7 +23,7 @@ class InputFile {
   ~InputFile();
 
   // How many bytes came, 0 at the end. Waits for at least one of a pipe or terminal; cancelled if
-  // the program is interrupted meanwhile (src/files/io/interruption.h).
+  // the program is interrupted meanwhile (src/files/system/interruption.h).
   Result<std::size_t> read(std::span<char> bytes);
 
  private:

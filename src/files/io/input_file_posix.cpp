@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "src/files/io/input_file.h"
-#include "src/files/io/interruption.h"
+#include "src/files/system/interruption.h"
 
 namespace cutis {
 namespace {

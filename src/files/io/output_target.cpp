@@ -3,7 +3,7 @@
 #include <string>
 #include <system_error>
 
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 

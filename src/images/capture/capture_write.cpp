@@ -3,7 +3,7 @@
 #include <set>
 
 #include "src/files/io/atomic_write.h"
-#include "src/files/io/temporary_path.h"
+#include "src/files/system/temporary_path.h"
 #include "src/images/capture/capture_description.h"
 #include "src/images/capture/capture_file.h"
 #include "src/images/capture/capture_manifest.h"

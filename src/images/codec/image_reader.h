@@ -17,7 +17,7 @@
 
 #include "core/base/job_context.h"
 #include "core/base/plane.h"
-#include "src/files/io/error_stream.h"
+#include "src/files/system/error_stream.h"
 #include "src/images/codec/sample_type.h"
 #include "src/images/codec/source_file.h"
 #include "src/images/codec/stored_colors.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/half.h"
 #include "core/base/parallel.h"
-#include "src/files/io/error_stream.h"
+#include "src/files/system/error_stream.h"
 #include "src/images/codec/oiio_text.h"
 #include "src/images/pixels/alpha.h"
 

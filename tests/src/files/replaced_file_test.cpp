@@ -12,7 +12,7 @@
 #include <QtTest>
 
 #include "src/files/io/atomic_write.h"
-#include "src/files/io/temporary_path.h"
+#include "src/files/system/temporary_path.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"

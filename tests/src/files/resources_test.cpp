@@ -7,7 +7,7 @@
 
 #include <QtTest>
 
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 #include "tests/support/expect.h"
 #include "tests/support/folders.h"
 #include "tests/support/test_registry.h"

@@ -21,9 +21,9 @@
 #include "src/cli/options/option_values.h"
 #include "src/cli/output_check.h"
 #include "src/cli/standard_output.h"
-#include "src/files/io/platform.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/rig_file.h"
+#include "src/files/system/platform.h"
 #include "src/report/picture_file.h"
 
 namespace cutis {

@@ -6,10 +6,10 @@
 #include "core/base/parallel.h"
 #include "core/base/word_list.h"
 #include "src/color/color_space.h"
-#include "src/files/io/platform.h"
 #include "src/files/profiles/profile_file.h"
 #include "src/files/rig_file.h"
 #include "src/files/spectral_library.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 namespace {

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>

@@ -6,9 +6,9 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "src/files/io/error_stream.h"
-#include "src/files/io/last_words.h"
-#include "src/files/io/temporary_path.h"
+#include "src/files/system/error_stream.h"
+#include "src/files/system/last_words.h"
+#include "src/files/system/temporary_path.h"
 
 namespace cutis {
 namespace {

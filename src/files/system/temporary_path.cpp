@@ -1,4 +1,4 @@
-#include "src/files/io/temporary_path.h"
+#include "src/files/system/temporary_path.h"
 
 #include <atomic>
 #include <charconv>
@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-#include "src/files/io/platform.h"
+#include "src/files/system/platform.h"
 
 namespace cutis {
 

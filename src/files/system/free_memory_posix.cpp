@@ -1,4 +1,4 @@
-#include "src/files/io/free_memory.h"
+#include "src/files/system/free_memory.h"
 
 #if defined(__GLIBC__)
 #include <malloc.h>

@@ -6,8 +6,8 @@
 #include <thread>
 #include <unistd.h>
 
-#include "src/files/io/interruption.h"
-#include "src/files/io/temporary_path.h"
+#include "src/files/system/interruption.h"
+#include "src/files/system/temporary_path.h"
 
 namespace cutis {
 namespace {

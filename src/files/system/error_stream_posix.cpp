@@ -2,7 +2,7 @@
 #include <mutex>
 #include <unistd.h>
 
-#include "src/files/io/error_stream.h"
+#include "src/files/system/error_stream.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define CUTIS_REPORTS_ON_ERROR_STREAM 1
