@@ -151,6 +151,14 @@ class CommandsTest : public test::UiTest {
     QCOMPARE(viewport.zoom(), 1.0);
     QCOMPARE(number->text(), QString("+f"));
     QTest::keyClick(number, Qt::Key_Escape);
+    // Once the number is taken, they are the picture's again.
+    QTest::keyClicks(number, "1.2");
+    QTest::keyClick(number, Qt::Key_Return);
+    QVERIFY(number->hasFocus());
+    QTest::keyClick(number, Qt::Key_F);
+    QVERIFY(viewport.fitted());
+    QCOMPARE(number->number(), 1.2);
+    QTest::keyClick(&viewport, Qt::Key_1);
     // Elsewhere they are not: on a slider and in a list of choices.
     for (QWidget* control : {static_cast<QWidget*>(window_->findChild<NeutralSlider*>()),
                              static_cast<QWidget*>(window_->findChild<QComboBox*>())}) {

@@ -204,7 +204,7 @@ class MainWindowTest : public test::UiTest {
     QVERIFY(window_->progress().message().contains("noise.png"));
   }
 
-  // What cannot be opened is told and gets no tab; the rest is opened.
+  // What cannot be opened is reported and gets no tab; the rest is opened.
   void eachOfSeveralDroppedGetsATab() {
     openSample();
     writePicture("a.png", QColor(200, 150, 130));

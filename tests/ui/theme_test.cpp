@@ -5,9 +5,12 @@
 #include <cmath>
 
 #include <QCheckBox>
+#include <QFontMetrics>
+#include <QHelpEvent>
 #include <QImage>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -45,6 +48,28 @@ class ThemeTest : public test::UiTest {
   Q_OBJECT
 
  private slots:
+  // Qt shows a plain sentence as one line, however long.
+  void longToolTipsAreBrokenIntoLines() {
+    QWidget widget;
+    widget.setToolTip(
+        QStringLiteral("A sentence with 3 < 4 that is about twice as long as what one "
+                       "can take in at a glance, and that tells what happens."));
+    widget.show();
+    QHelpEvent help(QEvent::ToolTip, {5, 5}, widget.mapToGlobal(QPoint(5, 5)));
+    QCoreApplication::sendEvent(&widget, &help);
+    QVERIFY(QToolTip::isVisible());
+    const QWidget* tip = nullptr;
+    for (const QWidget* top : QApplication::topLevelWidgets()) {
+      if (top->inherits("QTipLabel")) tip = top;
+    }
+    QVERIFY(tip);
+    const QFontMetrics font(tip->font());
+    EXPECT_AT_MOST(tip->width(), font.averageCharWidth() * 80 + 20);
+    EXPECT_AT_MOST(font.lineSpacing() * 2, tip->height());
+    QVERIFY(QToolTip::text().contains("3 &lt; 4"));
+    QToolTip::hideText();
+  }
+
   void textsCanBeRead() {
     const theme::Tones& tones = theme::tones();
     for (const QColor& ground : {tones.panel, tones.field, tones.raised}) {

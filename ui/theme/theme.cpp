@@ -16,6 +16,8 @@
 #include <QStyleOption>
 #include <QWidget>
 
+#include "ui/theme/tool_tips.h"
+
 namespace cutis::theme {
 namespace {
 
@@ -331,6 +333,7 @@ void apply(QApplication& application) {
   QApplication::setStyle(new Style);
   QApplication::setPalette(paletteOf(tones()));
   application.setStyleSheet(styleSheetOf(tones()));
+  new ToolTips(&application);
 }
 
 void alignForm(QFormLayout& form) {

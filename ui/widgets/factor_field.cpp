@@ -68,7 +68,10 @@ bool FactorField::event(QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return QLineEdit::event(event);
   auto* key = static_cast<QKeyEvent*>(event);
   const bool isUndo = key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo);
-  if (isUndo && !isBeingEdited()) {
+  const bool isLetter = key->key() >= Qt::Key_A && key->key() <= Qt::Key_Z &&
+                        !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+  // A number that nobody is typing leaves undo and the letters to the commands.
+  if ((isUndo || isLetter) && !isBeingEdited()) {
     event->ignore();
     return true;
   }
