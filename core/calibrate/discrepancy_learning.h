@@ -12,9 +12,10 @@
 // count for less.
 //
 // The components are those of the greatest variance of reflectance over the wavelengths that
-// cameras see; outside of these each is what goes with it, and what remains there is `rest`, as far
-// as eight spectra tell it: of fifty people that leaves out 8 % of the variance below 400 nm, 4 %
-// from there to 700 nm and 1 % beyond.
+// cameras see; outside of these each is what goes with it. What remains is `rest`: eight spectra,
+// and an independent deviation for what these leave out of the variance. At every wavelength that
+// was measured it is at least as wide as what people have who are left out one by one and told from
+// what was learned of all others.
 //
 // Wavelengths are positions on the grid, reflectances shares as measured. Thread-safe: a pure
 // function; the same result for any number of threads.

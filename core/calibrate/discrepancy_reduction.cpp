@@ -1,6 +1,8 @@
 #include "core/calibrate/discrepancy_reduction.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/maths/decompositions.h"
 
@@ -47,37 +49,68 @@ void keepPositive(Discrepancy& discrepancy) {
   }
 }
 
+// What no coefficient tells, of covariance `over`: the leading spectra, and beside them, wavelength
+// by wavelength, the rest of its variance, or of what people left out have if that is more.
+void setRest(Discrepancy& discrepancy, const MatrixXd& over, const VectorXd& reflectance,
+             const VectorXd& leftOut) {
+  const Leading others = leading(over, reflectance, kRestCount);
+  const MatrixXd spectra = reflectance.cwiseInverse().asDiagonal() * others.vectors *
+                           others.variance.cwiseSqrt().asDiagonal();
+  const VectorXd all = over.diagonal().cwiseMax(leftOut);
+  const VectorXd independent = (all - spectra.rowwise().squaredNorm()).cwiseMax(0.0).cwiseSqrt();
+  discrepancy.rest = toGrid(spectra);
+  discrepancy.independentDeviation = toGrid(independent).col(0).array();
+}
+
 }  // namespace
 
-Discrepancy reduced(const DiscrepancyProcess& process, const SkinModel& model, int components,
-                    const Prior& like) {
+std::vector<Index> seenOf(std::span<const Index> at) {
+  std::vector<Index> seen;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double wavelength = wavelengthNm(gridSample(at[i]));
+    if (wavelength >= kSeenFromNm && wavelength <= kSeenToNm) seen.push_back(static_cast<Index>(i));
+  }
+  return seen;
+}
+
+VectorXd typicalReflectance(const DiscrepancyProcess& process, const SkinModel& model,
+                            const Prior& like) {
   const Prior prior = priorFrom(process.people, like);
   VectorXd reflectance(kWorkingCount);
-  std::vector<Index> seen;
-  for (Index i = 0; i < kWorkingCount; ++i) {
-    const double wavelength = wavelengthNm(gridSample(i));
+  for (Index i = 0; i < kWorkingCount; ++i)
     reflectance[i] = model.reflectanceAt(gridSample(i), prior.mean);
-    if (wavelength >= kSeenFromNm && wavelength <= kSeenToNm) seen.push_back(i);
-  }
-  const MatrixXd total = process.totalCovariance();
-  const Leading main = leading(total(seen, seen), reflectance(seen), components);
+  return reflectance;
+}
+
+SeenComponents seenComponents(const MatrixXd& covariance, const VectorXd& reflectance,
+                              const std::vector<Index>& seen, int count) {
+  const Leading main = leading(covariance(seen, seen), reflectance(seen), count);
+  SeenComponents result;
   // Coefficients are linear in what is seen of the discrepancy.
-  const MatrixXd coefficients = main.variance.cwiseSqrt().cwiseInverse().asDiagonal() *
-                                main.vectors.transpose() * reflectance(seen).asDiagonal();
-  const MatrixXd spectra = total(Eigen::all, seen) * coefficients.transpose();
-  const MatrixXd over = total - spectra * spectra.transpose();
-  const Leading others = leading(over, reflectance, kRestCount);
-  const MatrixXd rest = reflectance.cwiseInverse().asDiagonal() * others.vectors *
-                        others.variance.cwiseSqrt().asDiagonal();
+  result.coefficients = main.variance.cwiseSqrt().cwiseInverse().asDiagonal() *
+                        main.vectors.transpose() * reflectance(seen).asDiagonal();
+  result.spectra = covariance(Eigen::all, seen) * result.coefficients.transpose();
+  return result;
+}
+
+Discrepancy reduced(const DiscrepancyProcess& process, const VectorXd& reflectance,
+                    const VectorXd& leftOut, int components, const Prior& like) {
+  std::vector<Index> all(std::size_t{kWorkingCount});
+  std::iota(all.begin(), all.end(), Index{0});
+  const std::vector<Index> seen = seenOf(all);
+  const MatrixXd total = process.totalCovariance();
+  const SeenComponents main = seenComponents(total, reflectance, seen, components);
+  const MatrixXd& coefficients = main.coefficients;
+  const MatrixXd over = total - main.spectra * main.spectra.transpose();
 
   Discrepancy discrepancy;
   discrepancy.mean = toGrid(process.mean).col(0).array();
-  discrepancy.components = toGrid(spectra);
+  discrepancy.components = toGrid(main.spectra);
   discrepancy.slope = coefficients * process.slope(seen, Eigen::all);
   discrepancy.covariance =
       symmetric(coefficients * process.covariance(seen, seen) * coefficients.transpose());
-  discrepancy.rest = toGrid(rest);
-  discrepancy.prior = prior;
+  setRest(discrepancy, over, reflectance, leftOut);
+  discrepancy.prior = priorFrom(process.people, like);
   keepPositive(discrepancy);
   return discrepancy;
 }

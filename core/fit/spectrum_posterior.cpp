@@ -22,6 +22,12 @@ struct SpectrumPosterior::Linearisation {
   MatrixXd derivatives;  // [sample][unknown]
 };
 
+// What the channels tell of the unknowns.
+struct SpectrumPosterior::Gain {
+  MatrixXd matrix;      // [unknown][channel that sees]
+  MatrixXd covariance;  // [unknown][unknown], what stays open
+};
+
 SpectrumPosterior::SpectrumPosterior(const SkinModel& model, const FitRecord& record)
     : model_(model),
       rows_(record.responses),
@@ -82,8 +88,8 @@ SpectrumPosterior::Linearisation SpectrumPosterior::linearise(
   return at;
 }
 
-MatrixXd SpectrumPosterior::covarianceAt(const Linearisation& at,
-                                         std::span<const double> channels) const {
+SpectrumPosterior::Gain SpectrumPosterior::gainAt(const Linearisation& at,
+                                                  std::span<const double> channels) const {
   const MatrixXd prior = priorCovariance();
   MatrixXd seen(static_cast<Index>(seeing_.size()), at.derivatives.cols());
   VectorXd noise(seen.rows()), modelled(seen.rows());
@@ -97,24 +103,37 @@ MatrixXd SpectrumPosterior::covarianceAt(const Linearisation& at,
   system += shadingVariance_ * modelled * modelled.transpose();
   system.diagonal() += noise;
   const MatrixXd gained = seen * prior;
-  const MatrixXd covariance = prior - gained.transpose() * solvePositive(system, gained);
-  return 0.5 * (covariance + covariance.transpose());
+  Gain gain;
+  gain.matrix = solvePositive(system, gained).transpose();
+  const MatrixXd covariance = prior - gain.matrix * gained;
+  gain.covariance = 0.5 * (covariance + covariance.transpose());
+  return gain;
+}
+
+// Of the rest, less what the unknowns take up of it through the channels. What varies from
+// wavelength to wavelength by itself leaves next to nothing in a channel.
+Eigen::ArrayXd SpectrumPosterior::restVariance(const Linearisation& at, const Gain& gain) const {
+  const MatrixXd rest = at.reflectance.matrix().asDiagonal() * discrepancy_->rest;
+  MatrixXd seen(static_cast<Index>(seeing_.size()), rest.cols());
+  for (Index k = 0; k < seen.rows(); ++k)
+    seen.row(k) = rows_.row(seeing_[static_cast<std::size_t>(k)]).matrix() * rest;
+  const MatrixXd missed = rest - at.derivatives * (gain.matrix * seen);
+  return missed.rowwise().squaredNorm().array() +
+         (at.reflectance * discrepancy_->independentDeviation).square();
 }
 
 MatrixXd SpectrumPosterior::covariance(std::span<const double> channels,
                                        std::span<const double> values) const {
-  return covarianceAt(linearise(values), channels);
+  return gainAt(linearise(values), channels).covariance;
 }
 
 Spectrum SpectrumPosterior::deviation(std::span<const double> channels,
                                       std::span<const double> values) const {
   const Linearisation at = linearise(values);
-  const MatrixXd covariance = covarianceAt(at, channels);
+  const Gain gain = gainAt(at, channels);
   Spectrum variance =
-      (at.derivatives * covariance).cwiseProduct(at.derivatives).rowwise().sum().array();
-  if (discrepancy_ != nullptr && discrepancy_->rest.cols() > 0) {
-    variance += at.reflectance.square() * discrepancy_->rest.rowwise().squaredNorm().array();
-  }
+      (at.derivatives * gain.covariance).cwiseProduct(at.derivatives).rowwise().sum().array();
+  if (discrepancy_ != nullptr) variance += restVariance(at, gain);
   return variance.max(0.0).sqrt();
 }
 

@@ -5,8 +5,9 @@
 //
 // Near the estimate the channels are linear in the coordinates of the parameters and in the
 // coefficients of the discrepancy, and all of it is normal; parameters at the ends of their ranges
-// count as free. The rest of the discrepancy, which no channel tells, adds to the spectrum's
-// variance, and shading of an unknown amount to the channels' noise. Double precision, about 0.1 ms
+// count as free. The rest of the discrepancy adds to the spectrum's variance: itself, and what the
+// fit, which knows nothing of it, makes of its share in the channels. Shading of an unknown amount
+// adds to the channels' noise. Double precision, about 0.1 ms
 // a pixel. Thread-safe: const after construction.
 
 #include <span>
@@ -51,9 +52,11 @@ class SpectrumPosterior {
 
  private:
   struct Linearisation;
+  struct Gain;
   Linearisation linearise(std::span<const double> values) const;
   Eigen::MatrixXd priorCovariance() const;
-  Eigen::MatrixXd covarianceAt(const Linearisation& at, std::span<const double> channels) const;
+  Gain gainAt(const Linearisation& at, std::span<const double> channels) const;
+  Eigen::ArrayXd restVariance(const Linearisation& at, const Gain& gain) const;
 
   const SkinModel& model_;
   SpectrumRows rows_;

@@ -47,11 +47,13 @@ std::vector<Person> drawPeople(const SkinModel& model, const Discrepancy& discre
     for (int i = 0; i < kParameterCount; ++i)
       x[i] = coordinates.coordinate(i, parameters[i]);
     const Eigen::VectorXd z = line.offset + line.slope * x + root * normals(root.cols(), random);
-    const Eigen::VectorXd rest = discrepancy.rest * normals(discrepancy.rest.cols(), random);
+    const Spectrum rest =
+        (discrepancy.rest * normals(discrepancy.rest.cols(), random)).array() +
+        discrepancy.independentDeviation * normals(int{kSampleCount}, random).array();
     Person person;
     person.values.assign(parameters.begin(), parameters.end());
     person.values.insert(person.values.end(), z.begin(), z.end());
-    person.reflectance = model.reflectance(parameters) * (discrepancy.factor(z) + rest.array());
+    person.reflectance = model.reflectance(parameters) * (discrepancy.factor(z) + rest);
     people.push_back(std::move(person));
   }
   return people;

@@ -32,7 +32,9 @@ Status validate(const Discrepancy& discrepancy, const std::string& place,
                                  "spectra the same length");
   }
   if (!discrepancy.components.allFinite() || !discrepancy.slope.allFinite() ||
-      !discrepancy.covariance.allFinite() || !discrepancy.rest.allFinite()) {
+      !discrepancy.covariance.allFinite() || !discrepancy.rest.allFinite() ||
+      !discrepancy.independentDeviation.allFinite() ||
+      (discrepancy.independentDeviation < 0.0).any()) {
     return inputError(place, prefix + "components must be finite, and all numbers beside them");
   }
   const Spectrum least = 1.0 + discrepancy.mean -

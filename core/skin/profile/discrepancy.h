@@ -5,7 +5,7 @@
 //
 //   R(λ) = R_model(λ; θ) · (1 + mean(λ) + Σ_j z_j component_j(λ) + rest(λ))
 //
-// z are coefficients of a pixel, and rest is what no channel in the visible range can tell. Beside
+// z are coefficients of a pixel, and rest is what no coefficient tells. Beside
 // parameters whose coordinates x (logarithms where the prior has them) are normal by the prior
 // given here, z is normal with mean slope · (x − x̄) and with the covariance given here; x̄ are the
 // coordinates of the prior's means. It was learned from measured spectra together with that prior.
@@ -30,7 +30,10 @@ struct Discrepancy {
   Eigen::MatrixXd components;  // [sample][coefficient]
   Eigen::MatrixXd slope;       // [coefficient][parameter], per unit of the coordinate
   Eigen::MatrixXd covariance;  // [coefficient][coefficient]
-  Eigen::MatrixXd rest;  // [sample][i]: rest(λ) = Σ_i n_i rest_i(λ), n_i normal of deviation 1
+  // rest(λ) = Σ_i n_i rest_i(λ) + n(λ) independentDeviation(λ), all n normal of deviation 1.
+  Eigen::MatrixXd rest;  // [sample][i]
+  // What varies from wavelength to wavelength by itself; channels average it away.
+  Spectrum independentDeviation = Spectrum::Zero();
   Prior prior;
 
   int count() const { return static_cast<int>(components.cols()); }

@@ -52,7 +52,8 @@ Result<Eigen::MatrixXd> parseMatrix(const JsonValue& object, const std::string& 
 }
 
 Result<Discrepancy> parseDiscrepancy(const JsonValue& object) {
-  CUTIS_CHECK(object.allowOnly({"mean", "components", "slope", "covariance", "rest", "prior"}));
+  CUTIS_CHECK(object.allowOnly(
+      {"mean", "components", "slope", "covariance", "rest", "independent_deviation", "prior"}));
   Discrepancy discrepancy;
   CUTIS_TRY(meanList, object.list("mean"));
   CUTIS_TRY(mean, parseSpectrum(meanList));
@@ -61,9 +62,15 @@ Result<Discrepancy> parseDiscrepancy(const JsonValue& object) {
   CUTIS_TRY(covariance,
             parseMatrix(object, "covariance", static_cast<std::size_t>(components.cols())));
   CUTIS_TRY(rest, parseSpectra(object, "rest"));
+  Spectrum independent = Spectrum::Zero();
+  if (object.has("independent_deviation")) {
+    CUTIS_TRY(list, object.list("independent_deviation"));
+    CUTIS_TRY(spectrum, parseSpectrum(list));
+    independent = spectrum;
+  }
   CUTIS_TRY(priorObject, object.object("prior"));
   CUTIS_TRY(prior, parsePrior(priorObject));
-  return Discrepancy{mean, components, slope, covariance, rest, prior};
+  return Discrepancy{mean, components, slope, covariance, rest, independent, prior};
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 // The field "discrepancy" of a profile.json (core/skin/profile/discrepancy.h):
 //
 //   {"surface_included": {"mean": […], "components": [[…], …], "slope": [[…], …],
-//                         "covariance": [[…], …], "rest": [[…], …], "prior": {…}},
+//                         "covariance": [[…], …], "rest": [[…], …],
+//                         "independent_deviation": […], "prior": {…}},
 //    "surface_removed": …}
 //
 // Spectra are a number every 10 nm from 300 to 1000 nm, and linear between them; a row of "slope"
-// has a number for each parameter, in the order of the maps. Either field may be left out.
+// has a number for each parameter, in the order of the maps. Either kind of surface may be
+// left out, and the independent deviation, which then is zero.
 
 #include "core/base/result.h"
 #include "core/skin/profile/discrepancy.h"

@@ -69,6 +69,7 @@ Json jsonOf(const Discrepancy& discrepancy) {
           {"slope", rowsOf(discrepancy.slope)},
           {"covariance", rowsOf(discrepancy.covariance)},
           {"rest", spectraOf(discrepancy.rest)},
+          {"independent_deviation", knotsOf(discrepancy.independentDeviation.matrix())},
           {"prior", jsonOf(discrepancy.prior)}};
 }
 

@@ -100,9 +100,15 @@ VectorXd withoutWhatSkinExplains(const VectorXd& relative) {
   return relative - logarithmic * explained;
 }
 
+Eigen::MatrixXd covarianceOfRest(const Discrepancy& discrepancy) {
+  Eigen::MatrixXd covariance = discrepancy.rest * discrepancy.rest.transpose();
+  covariance.diagonal() += discrepancy.independentDeviation.square().matrix();
+  return covariance;
+}
+
 Eigen::MatrixXd covarianceOf(const Discrepancy& discrepancy) {
   return discrepancy.components * discrepancy.components.transpose() +
-         discrepancy.rest * discrepancy.rest.transpose();
+         covarianceOfRest(discrepancy);
 }
 
 class DiscrepancyLearningTest : public QObject {
@@ -156,6 +162,7 @@ class DiscrepancyLearningTest : public QObject {
     QVERIFY(again.components == learned_.components);
     QVERIFY(again.covariance == learned_.covariance);
     QVERIFY(again.rest == learned_.rest);
+    QVERIFY((again.independentDeviation == learned_.independentDeviation).all());
   }
 
   void anOddSpectrumCountsForLittle() {
@@ -167,6 +174,27 @@ class DiscrepancyLearningTest : public QObject {
     const double before = covarianceOf(learned_).diagonal().segment(60, 131).sum();
     const double after = covarianceOf(again).diagonal().segment(60, 131).sum();
     EXPECT_AT_MOST(after, 2.0 * before);
+  }
+
+  // What no component tells, such as noise of every sample by itself, is held by the rest, at its
+  // true size though it was learned from few, and most of it as independent of other wavelengths.
+  void theRestHoldsPeopleLeftOut() {
+    SpectraSet noisy = set_;
+    Random random(9);
+    for (Index i = 0; i < noisy.measured.cols(); ++i) {
+      for (Index s = 0; s < noisy.measured.rows(); ++s)
+        noisy.measured(s, i) *= 1.0 + 0.01 * random.normal();
+    }
+    for (const Index people : {Index{16}, Index{kPeople}}) {
+      SpectraSet some = noisy;
+      some.measured = noisy.measured.leftCols(people).eval();
+      const Discrepancy learned = learnedFrom(some);
+      const VectorXd deviation = covarianceOfRest(learned).diagonal().cwiseSqrt();
+      const double typical = rmsOf([&](int i) { return deviation[i]; });
+      QVERIFY2(typical > 0.009 && typical < 0.02, qPrintable(QString::number(typical)));
+      const double independent = rmsOf([&](int i) { return learned.independentDeviation[i]; });
+      QVERIFY2(independent > 0.6 * typical, qPrintable(QString::number(independent)));
+    }
   }
 
   // Where nothing was measured, the mean fades and much is left open.

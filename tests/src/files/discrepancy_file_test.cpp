@@ -40,6 +40,7 @@ Discrepancy made() {
   discrepancy.covariance = Eigen::MatrixXd::Identity(2, 2);
   discrepancy.covariance(0, 1) = discrepancy.covariance(1, 0) = -0.5;
   discrepancy.rest = bent(0.01).matrix();
+  discrepancy.independentDeviation = bent(0.004);
   discrepancy.prior = loadProfile("skin2026", "").value().prior;
   return discrepancy;
 }
@@ -71,6 +72,8 @@ class DiscrepancyFileTest : public QObject {
     EXPECT_NEAR((again.mean - written.mean).abs().maxCoeff(), 0.0, kLastDigit);
     EXPECT_NEAR((again.components - written.components).cwiseAbs().maxCoeff(), 0.0, kLastDigit);
     EXPECT_NEAR((again.rest - written.rest).cwiseAbs().maxCoeff(), 0.0, kLastDigit);
+    EXPECT_NEAR((again.independentDeviation - written.independentDeviation).abs().maxCoeff(), 0.0,
+                kLastDigit);
     QVERIFY(again.slope == written.slope);
     QVERIFY(again.covariance == written.covariance);
     QVERIFY((again.prior.mean == written.prior.mean).all());
