@@ -48,6 +48,8 @@ Result<ChromophoreMaps> editMaps(const EditedSkin& skin, const std::shared_ptr<T
   ChromophoreMaps edited(skin.width(), skin.height(), PixelFormat::float32, store);
   edited.state = skin.maps.state;
   edited.constants = skin.maps.constants;
+  edited.coefficients = skin.maps.coefficients;
+  edited.surface = skin.maps.surface;
   CUTIS_CHECK(forEachTile(skin.maps, context, [&](const Rect& rect) -> Status {
     CUTIS_TRY(parameters, loadEdited(skin, rect));
     return storeParameters(parameters, rect, edited);

@@ -82,15 +82,14 @@ constexpr Room kRooms[] = {
     {"src/images/capture",
      "core/* src/files/* src/color src/images src/images/codec src/images/color "
      "src/images/pixels"},
-    {"src/register", "core/* src/files/*"},
     {"src/report", "core/base src/files src/files/io"},
     {"src/report/plot", "core/base src/report"},
 
-    {"src/app", "core/* src/files/* src/images/* src/color src/register"},
-    {"src/app/open", "core/* src/files/* src/images/* src/color src/register src/app"},
+    {"src/app", "core/* src/files/* src/images/* src/color"},
+    {"src/app/open", "core/* src/files/* src/images/* src/color src/app"},
     {"src/app/project", "core/* src/files/* src/images/* src/color src/app src/app/open"},
     {"src/app/document",
-     "core/* src/files/* src/images/* src/color src/register src/app src/app/open "
+     "core/* src/files/* src/images/* src/color src/app src/app/open "
      "src/app/project"},
     {"src/app/export",
      "core/* src/files/* src/images/* src/color src/app src/app/open src/app/document"},
@@ -112,7 +111,7 @@ constexpr Room kRooms[] = {
     {"src/cli/commands/validate",
      "core/* src/files/* src/report/* src/app/* src/bench src/cli src/cli/options"},
     {"src/cli/commands",
-     "core/* src/files/* src/images/* src/color src/register src/report/* src/app/* src/bench "
+     "core/* src/files/* src/images/* src/color src/report/* src/app/* src/bench "
      "src/cli src/cli/options src/cli/commands/validate"},
 
     {"ui/theme", "core/base"},

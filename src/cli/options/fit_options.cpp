@@ -103,7 +103,8 @@ void addFitOptions(CLI::App& command, FitCommandOptions& options) {
       command, "--discrepancy", options.discrepancy, "on|off",
       "Whether to estimate what the profile's model leaves over of measured skin, which brings "
       "spectra nearer to those of real people (default: on where the profile knows it, off "
-      "with --free and with --noise 0,0, which takes photographs for the model's own)");
+      "with --free, for captures of simulate, and with --noise 0,0, which takes photographs "
+      "for the model's own)");
   addOption(command, "--weights", options.weights, "NAME|FILE",
             "Networks for the method network: a file that train has written, or a built-in "
             "name, such as monitor-5, which takes the paper's five channels (default: those "
@@ -188,11 +189,13 @@ Status completeFitOptions(const FitRequest& request, const Profile& profile, Fit
     return usageError("--fix", "all five parameters are held; leave at least one to be estimated");
   }
   if (options.discrepancy.value_or(false) && profile.discrepancies.of(options.surface) == nullptr) {
+    const std::string surface =
+        profile.discrepancies.empty()
+            ? std::string()
+            : " where the surface's reflection is " + surfaceLightName(options.surface);
     return usageError("--discrepancy",
                       "the profile " + inQuotes(profile.name) +
-                          " does not know what its model leaves over where the surface's "
-                          "reflection is " +
-                          surfaceLightName(options.surface) +
+                          " does not know what its model leaves over" + surface +
                           "; leave this out, or choose one that does, such as --profile " +
                           kDefaultProfile);
   }

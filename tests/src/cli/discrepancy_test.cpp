@@ -102,6 +102,18 @@ class DiscrepancyTest : public QObject {
     }
   }
 
+  // An edit changes what physics explains, and nothing else.
+  void editedMapsKeepIt() {
+    EXPECT_DONE(run_.run("edit on.exr -o darker.exr --melanin 1.2"));
+    const ChromophoreMaps before = run_.maps("on.exr").maps, after = run_.maps("darker.exr").maps;
+    QVERIFY(!before.coefficients.empty());
+    QCOMPARE(after.coefficients.size(), before.coefficients.size());
+    QCOMPARE(after.surface, before.surface);
+    for (std::size_t k = 0; k < before.coefficients.size(); ++k)
+      QVERIFY(valuesOf(after.coefficients[k]) == valuesOf(before.coefficients[k]));
+    QVERIFY(valuesOf(after.values[kMelanin]) != valuesOf(before.values[kMelanin]));
+  }
+
   void deviationsOfWhatIsNoFitAreRefused() {
     EXPECT_DONE(run_.run("edit on.exr -o edited.exr --melanin 1.2"));
     const auto edited = run_.run("spectrum --maps edited.exr --deviation");
