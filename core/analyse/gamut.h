@@ -4,11 +4,8 @@
 // profile has.
 //
 // Looked at is a regular sample of the pixels with an estimate, at most about 65,000 and all of a
-// small picture. For a colour-matching observer under one light (albedo textures) a pixel is
-// outside if its reconstruction, seen by that observer under that light (D65 for the rig `albedo`),
-// differs from the measurement by more than ΔE2000 1. For a camera's photographs it is outside if
-// the root mean square over all channels of (measured − modelled) / noise is above 3, with the
-// noise the fit assumed, or the rig's if that was zero. Deterministic; some milliseconds.
+// small picture. core/analyse/skin_likeness.h says when a pixel is outside. Deterministic; some
+// milliseconds.
 
 #include <optional>
 

@@ -213,7 +213,7 @@ class ViewportTest : public test::UiTest {
   void theColourBarIsDrawn() {
     const QImage without = view_->grab().toImage();
     view_->setColorBar(
-        ColorBarSpec{"Melanin", "volume fraction", 0, 0.25, ScaleKind::sequential, {}, true});
+        ColorBarSpec{"Melanin", "volume fraction", {0, 0.25}, ScaleKind::sequential, {}, true});
     const QImage with = view_->grab().toImage();
     QVERIFY(without.pixel(40, 580) != with.pixel(40, 580));
     QCOMPARE(without.pixel(600, 100), with.pixel(600, 100));
@@ -229,10 +229,14 @@ class ViewportTest : public test::UiTest {
     QFETCH(QSize, size);
     QImage canvas(size, QImage::Format_RGB32);
     QPainter painter(&canvas);
-    const QRectF covered = drawColorBar(
-        painter, view_->font(), QPointF(0, size.height()), QSizeF(size),
-        ColorBarSpec{
-            "Epidermal haemoglobin", "volume fraction", 0, 0.25, ScaleKind::sequential, {}, true});
+    const QRectF covered =
+        drawColorBar(painter, view_->font(), QPointF(0, size.height()), QSizeF(size),
+                     ColorBarSpec{"Epidermal haemoglobin",
+                                  "volume fraction",
+                                  {0, 0.25},
+                                  ScaleKind::sequential,
+                                  {},
+                                  true});
     QVERIFY(covered.width() * covered.height() <= 0.25 * size.width() * size.height());
     QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(covered) || covered.isEmpty());
   }

@@ -60,7 +60,8 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
   giveContextMenu(
       *viewport_, commands,
       {"view.wholePicture", "view.oneToOne", "view.zoomIn", "view.zoomOut", "", "view.photograph",
-       "view.albedo", "view.skin", "", "edit.copyEdits", "edit.pasteEdits", "", "file.export"});
+       "view.albedo", "view.skin", "", "view.logarithmic", "view.automaticRange", "",
+       "edit.copyEdits", "edit.pasteEdits", "", "file.export"});
 }
 
 DocumentPage::~DocumentPage() {

@@ -6,6 +6,7 @@
 #include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
+#include <QPolygonF>
 
 #include "ui/theme/theme.h"
 #include "ui/view/range_texts.h"
@@ -18,16 +19,27 @@ constexpr qreal kTickLength = 4;
 constexpr qreal kLargestShare = 0.25;  // of the picture
 constexpr qreal kFewestWords = 70;     // a bar that is narrower says nothing
 
-QImage imageOf(const ColorScale& scale) {
+constexpr qreal kHeightsHeight = 28;
+constexpr qreal kHandleWidth = 9;
+
+// What the bar reaches over.
+const DisplayRange& axisOf(const ColorBarSpec& spec) {
+  return spec.axis ? *spec.axis : spec.range;
+}
+
+QImage imageOf(const ColorBarSpec& spec) {
+  const ColorScale& scale = ColorScale::of(spec.scale);
+  const PositionIn position(spec.range);
   QImage image(256, 1, QImage::Format_RGB32);
   for (int i = 0; i < 256; ++i)
-    image.setPixel(i, 0, scale.table()[static_cast<std::size_t>(i)]);
+    image.setPixel(i, 0, scale.at(position(valueAt(axisOf(spec), i / 255.0)), 0.0, 1.0));
   return image;
 }
 
 // Where its parts lie, seen from the upper left corner of the backdrop.
 struct Layout {
   bool isWhole = true;
+  qreal heights = 0;  // of the spread of values
   qreal padding = 10;
   qreal barHeight = 12;
   qreal line = 0;
@@ -37,7 +49,8 @@ struct Layout {
     return {padding, top, size.width() - 2 * padding, height};
   }
   QRectF title() const { return row(padding, line); }
-  QRectF bar() const { return row(title().bottom() + theme::kHalfSpace, barHeight); }
+  QRectF spread() const { return row(title().bottom() + theme::kHalfSpace, heights); }
+  QRectF bar() const { return row(spread().bottom(), barHeight); }
   QRectF numbers() const { return row(bar().bottom() + kTickLength + 2, line); }
 };
 
@@ -52,11 +65,13 @@ Layout layoutOf(const QFont& font, const QSizeF& picture, const ColorBarSpec& sp
       std::max(kSmallestWidth, QFontMetricsF(bold).horizontalAdvance(spec.name) +
                                    theme::kDoubleSpace + metrics.horizontalAdvance(spec.unit));
   layout.size.setWidth(words + 2 * layout.padding);
+  if (!spec.heights.empty()) layout.heights = kHeightsHeight;
   layout.size.setHeight(layout.numbers().bottom() + layout.padding);
   const qreal room = kLargestShare * picture.width() * picture.height();
   const bool hasRoom = layout.size.width() * layout.size.height() <= room;
   if (hasRoom && layout.size.width() <= picture.width()) return layout;
   layout.isWhole = false;
+  layout.heights = 0;
   layout.padding = 4;
   layout.barHeight = 6;
   layout.size.setHeight(layout.numbers().bottom() + layout.padding);
@@ -85,20 +100,57 @@ void drawNumbers(QPainter& painter, const Layout& layout, const ColorBarSpec& sp
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(theme::tones().text);
   std::array<QString, 3> texts;
-  if (spec.isKnown) texts = rangeTexts(spec.minimum, spec.maximum);
-  if (!layout.isWhole || !spec.state.isEmpty()) texts[1] = spec.state;
+  if (spec.isKnown) texts = rangeTexts(spec.range);
+  if (!layout.isWhole || spec.axis || !spec.state.isEmpty()) texts[1] = spec.state;
   const QRectF bar = layout.bar();
   const Qt::Alignment sides[] = {Qt::AlignLeft, Qt::AlignHCenter, Qt::AlignRight};
   for (int i = 0; i < 3; ++i) {
     const qreal x = bar.left() + (bar.width() - 1) * i / 2;
-    if (spec.isKnown)
+    if (spec.isKnown && !spec.axis)
       painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + kTickLength - 1));
     painter.drawText(layout.numbers(), static_cast<int>(sides[i] | Qt::AlignVCenter),
                      texts[static_cast<std::size_t>(i)]);
   }
 }
 
+// In the colours that the values have in the picture.
+void drawSpread(QPainter& painter, const Layout& layout, const ColorBarSpec& spec) {
+  const QRectF spread = layout.spread();
+  const PositionIn position(spec.range);
+  const auto count = static_cast<qreal>(spec.heights.size());
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  for (std::size_t i = 0; i < spec.heights.size(); ++i) {
+    const double middle = (static_cast<qreal>(i) + 0.5) / count;
+    QRectF column(0, 0, spread.width() / count, spread.height() * double{spec.heights[i]});
+    column.moveBottomLeft(
+        {spread.left() + static_cast<qreal>(i) * column.width(), spread.bottom()});
+    painter.fillRect(
+        column, ColorScale::of(spec.scale).at(position(valueAt(axisOf(spec), middle)), 0.0, 1.0));
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+}
+
+// Below the bar, each with its tip where the range ends.
+void drawHandles(QPainter& painter, const Layout& layout, const ColorBarSpec& spec) {
+  const PositionIn position(axisOf(spec));
+  const QRectF bar = layout.bar();
+  painter.setBrush(theme::tones().text);
+  painter.setPen(QPen(QColor(0x14, 0x14, 0x14), 1));
+  for (const double end : {spec.range.minimum, spec.range.maximum}) {
+    const QPointF tip(bar.left() + position(end) * bar.width(), bar.bottom() - bar.height() / 3);
+    const qreal bottom = bar.bottom() + kTickLength + 1;
+    painter.drawPolygon(QPolygonF({tip, QPointF(tip.x() + kHandleWidth / 2, bottom),
+                                   QPointF(tip.x() - kHandleWidth / 2, bottom)}));
+  }
+}
+
 }  // namespace
+
+ColorBarPlaces placesOf(const QFont& font, const QSizeF& picture, const ColorBarSpec& spec) {
+  const Layout layout = layoutOf(font, picture, spec);
+  if (layout.size.width() < kFewestWords) return {};
+  return {layout.size, layout.bar().united(layout.spread())};
+}
 
 QRectF drawColorBar(QPainter& painter, const QFont& font, const QPointF& lowerLeft,
                     const QSizeF& picture, const ColorBarSpec& spec) {
@@ -113,7 +165,9 @@ QRectF drawColorBar(QPainter& painter, const QFont& font, const QPointF& lowerLe
   painter.drawRoundedRect(QRectF({}, layout.size), theme::kCornerRadius, theme::kCornerRadius);
   drawTitle(painter, font, layout, spec);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  if (spec.isKnown) painter.drawImage(layout.bar(), imageOf(ColorScale::of(spec.scale)));
+  if (layout.heights > 0) drawSpread(painter, layout, spec);
+  if (spec.isKnown) painter.drawImage(layout.bar(), imageOf(spec));
+  if (spec.isKnown && spec.axis) drawHandles(painter, layout, spec);
   drawNumbers(painter, layout, spec);
   painter.restore();
   return {corner, layout.size};

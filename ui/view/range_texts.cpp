@@ -7,11 +7,19 @@
 #include <QLocale>
 
 namespace cutis {
+namespace {
 
-std::array<QString, 3> rangeTexts(double minimum, double maximum) {
+constexpr double kShare = 0.005;            // of the range
+constexpr double kLogarithmicShare = 0.02;  // of the smallest value
+
+}  // namespace
+
+std::array<QString, 3> rangeTexts(const DisplayRange& range) {
   constexpr double slack = 1e-9;
-  const double values[] = {minimum, (minimum + maximum) / 2, maximum};
-  const double allowed = 0.005 * std::abs(maximum - minimum) + slack;
+  const double values[] = {range.minimum, valueAt(range, 0.5), range.maximum};
+  const double distance =
+      range.isLogarithmic ? range.minimum : std::abs(range.maximum - range.minimum);
+  const double allowed = (range.isLogarithmic ? kLogarithmicShare : kShare) * distance + slack;
   const auto suffice = [&](int decimals) {
     const double power = std::pow(10.0, decimals);
     return std::all_of(std::begin(values), std::end(values), [&](double value) {

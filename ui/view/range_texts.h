@@ -6,9 +6,12 @@
 
 #include <QString>
 
+#include "ui/view/display_range.h"
+
 namespace cutis {
 
-// In the user's locale, with the fewest decimals that are right to half a percent of the range.
-std::array<QString, 3> rangeTexts(double minimum, double maximum);
+// In the user's locale, with the fewest decimals that are right to half a percent of the range, or
+// of a logarithmic one to two percent of its lower end.
+std::array<QString, 3> rangeTexts(const DisplayRange& range);
 
 }  // namespace cutis

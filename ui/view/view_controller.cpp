@@ -13,6 +13,7 @@ namespace {
 // Samples along the longer side.
 constexpr int kThumbnailSize = 160;
 constexpr int kOverviewSize = 512;
+constexpr int kHeights = 60;  // columns of the spread of values
 
 // The whole picture with at most `size` samples a side.
 ViewRequest wholePicture(ViewKind view, const Scene& scene, int size) {
@@ -59,8 +60,13 @@ ViewController::ViewController(Document& document, ViewServer& server, Viewport&
     ranges_.clear();
     showColorBar();
   });
+  connect(&viewport, &Viewport::rangeMoved, this, [this](const DisplayRange& range) {
+    fixed_[current_] = range;
+    showRange();
+  });
+  connect(&viewport, &Viewport::automaticRangeWanted, this, &ViewController::makeRangeAutomatic);
   connect(&document, &Document::fitChoiceChanged, this, &ViewController::showColorBar);
-  connect(&document, &Document::fitted, this, &ViewController::showColorBar);
+  connect(&document, &Document::fitted, this, &ViewController::takeSkinValues);
   connect(&document, &Document::editsChanged, this, &ViewController::showColorBar);
   connect(&viewport, &Viewport::viewChanged, this, &ViewController::wantDetail);
 }
@@ -98,6 +104,7 @@ void ViewController::open() {
   overview_ = nullptr;
   firstPicture_ = {};
   ranges_.clear();
+  fixed_.clear();
   current_ = scene.source ? ViewKind::photograph : ViewKind::skin;
   fillStrip();
   viewport_.clear();
@@ -106,7 +113,7 @@ void ViewController::open() {
   if (!preview_.isNull()) viewport_.setOverview(std::exchange(preview_, {}));
   wantDetail();
   wantOverview();
-  showColorBar();
+  takeSkinValues();
   Q_EMIT currentChanged();
 }
 
@@ -175,13 +182,60 @@ void ViewController::takeRange(const Part& part) {
   const ViewKind view = part->request.view;
   const bool edited = !isNeutral(document_.scene().edits);
   if (!describe(view).scale || awaitsEstimate(view) || (edited && ranges_.contains(view))) return;
+  if (skinValuesOf(view) != nullptr) return;
   const auto range = rangeOf(*part);
   if (!range) return;
   ranges_[view] = *range;
-  if (view != current_) return;
+  if (view == current_) showRange();
+}
+
+const std::vector<float>* ViewController::skinValuesOf(ViewKind view) const {
+  const auto parameter = parameterOf(view);
+  const auto values = document_.skinValues();
+  if (!parameter || !values) return nullptr;
+  const auto& sorted = values->sorted[static_cast<std::size_t>(*parameter)];
+  return sorted.empty() ? nullptr : &sorted;
+}
+
+void ViewController::takeSkinValues() {
+  for (const ViewDescription& view : viewCatalogue()) {
+    if (const auto* values = skinValuesOf(view.kind))
+      ranges_[view.kind] = rangeOfValues(*values, logarithmic_.contains(view.kind));
+  }
+  showRange();
+  watchThumbnails();
+}
+
+void ViewController::makeRangeAutomatic() {
+  if (fixed_.erase(current_) > 0) showRange();
+}
+
+bool ViewController::canBeLogarithmic() const {
+  return document_.isOpen() && skinValuesOf(current_) != nullptr;
+}
+
+void ViewController::setLogarithmic(bool isLogarithmic) {
+  if (!canBeLogarithmic()) return;
+  if (isLogarithmic) {
+    logarithmic_.insert(current_);
+  } else {
+    logarithmic_.erase(current_);
+  }
+  fixed_.erase(current_);
+  takeSkinValues();
+}
+
+const DisplayRange* ViewController::knownRange(ViewKind view) const {
+  if (const auto fixed = fixed_.find(view); fixed != fixed_.end()) return &fixed->second;
+  const auto known = ranges_.find(view);
+  return known == ranges_.end() ? nullptr : &known->second;
+}
+
+void ViewController::showRange() {
   showDetail();
   showOverview();
   showColorBar();
+  Q_EMIT rangeChanged();
 }
 
 void ViewController::showDetail() {
@@ -209,11 +263,14 @@ void ViewController::showColorBar() {
   const bool awaits = awaitsEstimate(current_);
   viewport_.setNotice(awaits ? tr("Not fitted yet") : QString());
   if (!view.scale || awaits) return viewport_.setColorBar(std::nullopt);
-  ColorBarSpec spec = {view.name, view.unit, 0.0, 1.0, *view.scale, stateText(), false};
-  if (const auto known = ranges_.find(current_); known != ranges_.end()) {
-    spec.minimum = known->second.minimum;
-    spec.maximum = known->second.maximum;
+  ColorBarSpec spec = {view.name, view.unit, {}, *view.scale, stateText(), false};
+  if (const DisplayRange* known = knownRange(current_)) {
+    spec.range = *known;
     spec.isKnown = true;
+    if (const auto* values = skinValuesOf(current_)) {
+      spec.axis = axisAround(spec.range, *values);
+      spec.heights = heightsAlong(*spec.axis, *values, kHeights);
+    }
   }
   viewport_.setColorBar(spec);
 }
@@ -229,10 +286,9 @@ QImage ViewController::imageOf(const ViewPart& part) const {
   const ViewDescription& view = describe(part.request.view);
   if (awaitsEstimate(view.kind)) return maskedImage(part);
   if (!view.scale) return colorImage(part);
-  const auto known = ranges_.find(view.kind);
-  const DisplayRange range =
-      known == ranges_.end() ? rangeOf(part).value_or(DisplayRange()) : known->second;
-  return falseColorImage(part, *view.scale, range);
+  const DisplayRange* known = knownRange(view.kind);
+  return falseColorImage(part, *view.scale,
+                         known ? *known : rangeOf(part).value_or(DisplayRange()));
 }
 
 }  // namespace cutis

@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include <QObject>
@@ -42,12 +43,21 @@ class ViewController : public QObject {
   // A view that the document does not have is ignored.
   void show(ViewKind view);
 
+  // The range of the current map: back from what was drawn to the usual one, and its scale.
+  void makeRangeAutomatic();
+  bool isRangeAutomatic() const { return !fixed_.contains(current_); }
+  // Whether the current view is a map that is complete.
+  bool canBeLogarithmic() const;
+  bool isLogarithmic() const { return logarithmic_.contains(current_); }
+  void setLogarithmic(bool isLogarithmic);
+
   // Of what is open the whole picture as it was first seen, small; null until it is.
   const QImage& firstPicture() const { return firstPicture_; }
 
  Q_SIGNALS:
   void firstPictureSeen();
   void currentChanged();
+  void rangeChanged();
 
  private:
   using Part = std::shared_ptr<const ViewPart>;
@@ -64,6 +74,11 @@ class ViewController : public QObject {
   void wantOverview();
   void takeThumbnail(const Part& part);
   void takeRange(const Part& part);
+  // Null for what is no map, and while there is no complete one.
+  const std::vector<float>* skinValuesOf(ViewKind view) const;
+  void takeSkinValues();
+  const DisplayRange* knownRange(ViewKind view) const;  // null: none
+  void showRange();
   void showDetail();
   void showOverview();
   void showColorBar();
@@ -79,6 +94,8 @@ class ViewController : public QObject {
   // Ranges of the unedited maps, so that an edit is seen as a change of colour; of the edited ones
   // where there are no others yet.
   std::map<ViewKind, DisplayRange> ranges_;
+  std::map<ViewKind, DisplayRange> fixed_;  // that the user has drawn
+  std::set<ViewKind> logarithmic_;
   Part detail_;
   Part overview_;
   QImage preview_;  // null: none is shown

@@ -83,9 +83,9 @@ QImage falseColorImage(const ViewPart& part, ScaleKind scale, const DisplayRange
   if (part.pixels.channels.empty()) return {};
   const ColorScale& colors = ColorScale::of(scale);
   const auto& values = part.pixels.channels.front();
-  return makeImage(part.pixels, [&](std::size_t i) {
-    return colors.at(double{values[i]}, range.minimum, range.maximum);
-  });
+  const PositionIn position(range);
+  return makeImage(part.pixels,
+                   [&](std::size_t i) { return colors.at(position(double{values[i]}), 0.0, 1.0); });
 }
 
 std::optional<DisplayRange> rangeOf(const ViewPart& part) {

@@ -8,14 +8,9 @@
 
 #include "src/app/document/view_part.h"
 #include "ui/view/color_scale.h"
+#include "ui/view/display_range.h"
 
 namespace cutis {
-
-// What the ends of a false-colour scale stand for.
-struct DisplayRange {
-  double minimum = 0.0;
-  double maximum = 1.0;
-};
 
 // Linear Rec.709 to sRGB, clamped; pixels without an estimate are hatched. RGB32.
 QImage colorImage(const ViewPart& part);

@@ -17,6 +17,7 @@
 #include <QWheelEvent>
 
 #include "ui/theme/theme.h"
+#include "ui/view/color_bar_control.h"
 
 namespace cutis {
 namespace {
@@ -34,13 +35,15 @@ bool takesText(const QObject* widget) {
 
 }  // namespace
 
-Viewport::Viewport(QWidget* parent) : QWidget(parent) {
+Viewport::Viewport(QWidget* parent) : QWidget(parent), colorBar_(new ColorBarControl(this)) {
   setAccessibleName(tr("Picture"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(160, 120);
   qApp->installEventFilter(this);
+  connect(colorBar_, &ColorBarControl::rangeMoved, this, &Viewport::rangeMoved);
+  connect(colorBar_, &ColorBarControl::automaticWanted, this, &Viewport::automaticRangeWanted);
 }
 
 void Viewport::setPictureSize(int width, int height) {
@@ -67,10 +70,13 @@ void Viewport::clear() {
   setPictureSize(0, 0);
 }
 
+const std::optional<ColorBarSpec>& Viewport::colorBar() const {
+  return colorBar_->spec();
+}
+
 void Viewport::setColorBar(const std::optional<ColorBarSpec>& spec) {
-  if (spec == colorBar_) return;
-  colorBar_ = spec;
-  update();
+  if (spec == colorBar_->spec()) return;
+  colorBar_->setSpec(spec);
 }
 
 void Viewport::setNotice(const QString& notice) {
@@ -134,8 +140,16 @@ std::optional<QPoint> Viewport::pixelAt(const QPointF& widget) const {
   return pixel;
 }
 
+void Viewport::placeColorBar() {
+  const QSize size = geometry_.picture();
+  const QRectF picture(toWidget({0.0, 0.0}), toWidget(QPointF(size.width(), size.height())));
+  colorBar_->setPlace({double{theme::kDoubleSpace}, double(height() - theme::kDoubleSpace)},
+                      picture.intersected(QRectF(rect())).size());
+}
+
 void Viewport::viewMoved() {
   update();
+  placeColorBar();
   const Rect visible = geometry_.visible();
   const int step = geometry_.step();
   if (visible != toldVisible_ || step != toldStep_) {
@@ -175,13 +189,6 @@ void Viewport::paintEvent(QPaintEvent*) {
   painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
   images_.draw(painter, geometry_);
   painter.restore();
-  if (colorBar_) {
-    const QRectF picture(toWidget({0.0, 0.0}), toWidget(QPointF(geometry_.picture().width(),
-                                                                geometry_.picture().height())));
-    drawColorBar(painter, font(),
-                 {double(theme::kDoubleSpace), double(height() - theme::kDoubleSpace)},
-                 picture.intersected(QRectF(rect())).size(), *colorBar_);
-  }
   if (!notice_.isEmpty()) drawNotice(painter);
   if (showFocus_) theme::drawFocusRing(painter, QRectF(rect()));
 }

@@ -22,6 +22,8 @@
 
 namespace cutis {
 
+class ColorBarControl;
+
 class Viewport : public QWidget {
   Q_OBJECT
 
@@ -38,7 +40,7 @@ class Viewport : public QWidget {
   void clear();
 
   // A bar in the lower left corner; nothing hides it.
-  const std::optional<ColorBarSpec>& colorBar() const { return colorBar_; }
+  const std::optional<ColorBarSpec>& colorBar() const;
   void setColorBar(const std::optional<ColorBarSpec>& spec);
 
   // A few words in the middle of the picture, for what is not there to be seen yet; empty: none.
@@ -79,6 +81,9 @@ class Viewport : public QWidget {
   void cursorLeft();
   // Left button pressed and released on one spot of the picture.
   void clicked(int x, int y);
+  // The user has drawn the colour bar to another range, or wants the usual one again.
+  void rangeMoved(const cutis::DisplayRange& range);
+  void automaticRangeWanted();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -100,6 +105,7 @@ class Viewport : public QWidget {
   void setSpaceHeld(bool held);
   std::optional<QPoint> pixelAt(const QPointF& widget) const;
   QPointF anchor() const;
+  void placeColorBar();
   void viewMoved();
   void updateCursor();
   void updateShape();
@@ -107,7 +113,7 @@ class Viewport : public QWidget {
 
   ViewGeometry geometry_;
   PictureImages images_;
-  std::optional<ColorBarSpec> colorBar_;
+  ColorBarControl* colorBar_;
   QString notice_;
 
   Rect toldVisible_;

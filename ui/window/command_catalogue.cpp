@@ -241,6 +241,46 @@ Rows zoomCommands(const Editor& editor) {
   };
 }
 
+QString unlessMap(const Editor& editor) {
+  if (!editor.document().isOpen()) return unlessOpen(editor.document());
+  return editor.page().views().canBeLogarithmic()
+             ? QString()
+             : tr("Only a map that has been fitted has a range of its own; choose one on the left");
+}
+
+// Of the false colours of the map in front.
+Rows rangeCommands(const Editor& editor) {
+  return {
+      {.id = "view.logarithmic",
+       .menu = Menu::view,
+       .text = tr("&Logarithmic scale"),
+       .toolTip = tr("Small amounts are told apart as well as large ones"),
+       .beginsSection = true,
+       .run =
+           [editor] {
+             ViewController& views = editor.page().views();
+             views.setLogarithmic(!views.isLogarithmic());
+           },
+       .objection = [editor] { return unlessMap(editor); },
+       .isOn =
+           [editor] {
+             return editor.document().isOpen() && editor.page().views().isLogarithmic();
+           }},
+      {.id = "view.automaticRange",
+       .menu = Menu::view,
+       .text = tr("&Automatic range"),
+       .toolTip =
+           tr("The colours of the map reach over what is skin, from the 1st to the 99th of a "
+              "hundred pixels"),
+       .run = [editor] { editor.page().views().makeRangeAutomatic(); },
+       .objection = [editor] { return unlessMap(editor); },
+       .isOn =
+           [editor] {
+             return editor.document().isOpen() && editor.page().views().isRangeAutomatic();
+           }},
+  };
+}
+
 // One for each view of the catalogue, on Alt and a digit as long as there are digits.
 Rows viewCommands(const Editor& editor) {
   Rows rows;
@@ -386,7 +426,7 @@ std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
   for (const auto& part :
        {openCommands, sourceCommands, fileCommands, editCommands, presetCommands, zoomCommands,
-        viewCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
+        viewCommands, rangeCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

@@ -195,6 +195,7 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(&page.jobs(), &JobRunner::started, this, &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);
+  connect(&page.views(), &ViewController::rangeChanged, this, &MainWindow::refreshCommands);
   connect(&page.workspace(), &Workspace::docksChanged, this, &MainWindow::refreshCommands);
 }
 

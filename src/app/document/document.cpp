@@ -150,6 +150,8 @@ Result<Document::Opened> Document::openedMaps(ProjectSource source, const JobCon
     opened.project.fit.method = method.value();
   }
   opened.project.fit.shading = !file.shading.empty();
+  CUTIS_TRY(skin, skinValuesOf(file.maps, model->profile().axes, context.child(0.5, 0.5)));
+  opened.skin = std::make_shared<const SkinValues>(std::move(skin));
   if (file.maps.free().count() == 0) return opened;
   CUTIS_TRY(spectra,
             SkinSpectra::make(model, file.maps.perPixel(), context.child(0.5, 1.0, "spectra")));
@@ -171,7 +173,8 @@ void Document::take(const Opened& opened) {
   scene_->edits = history_.current().edits;
   if (opened.isFitted) {
     fitted_ = true;
-    lastFit_ = {choice_, *scene_, {}, {}};
+    skin_ = opened.skin;
+    lastFit_ = {choice_, *scene_, {}, {}, skin_};
   }
   Q_EMIT this->opened();
   Q_EMIT modifiedChanged();
@@ -255,7 +258,8 @@ void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle
   } else if (fitted) {
     const FittedSource& found = fitted.value();
     job.post([this, statistics = found.statistics, exposure = found.exposure,
-              remarks = found.remarks] { completeFit(statistics, exposure, remarks); });
+              skin = std::make_shared<const SkinValues>(found.skin),
+              remarks = found.remarks] { completeFit(statistics, exposure, skin, remarks); });
   }
 }
 
@@ -287,10 +291,12 @@ void Document::show(const Scene& fitted) {
 
 void Document::completeFit(const FitStatistics& statistics,
                            const std::optional<ExposureChoice>& exposure,
+                           const std::shared_ptr<const SkinValues>& skin,
                            const std::vector<FitRemark>& remarks) {
   statistics_ = statistics;
+  skin_ = skin;
   fitted_ = true;
-  lastFit_ = {choice_, *scene_, statistics, exposure};
+  lastFit_ = {choice_, *scene_, statistics, exposure, skin};
   mapsTimer_.stop();
   giveMemoryBack();
   Q_EMIT mapsChanged();
@@ -318,6 +324,7 @@ void Document::backToLastFit() {
   }
   choice_ = lastFit_->choice;
   statistics_ = lastFit_->statistics;
+  skin_ = lastFit_->skin;
   fitted_ = true;
   show(lastFit_->scene);
   Q_EMIT fitChoiceChanged();

@@ -88,6 +88,8 @@ class Document : public QObject {
   // Precondition: isOpen().
   const Scene& scene() const { return *scene_; }
   const FitStatistics& statistics() const { return statistics_; }
+  // How the fitted values are spread over skin, without edits; null where it is not known yet.
+  std::shared_ptr<const SkinValues> skinValues() const { return fitted_ ? skin_ : nullptr; }
   // The place of the project; empty while it has none.
   const std::filesystem::path& projectPath() const { return state_.path; }
   // Whether something would be lost that a project keeps: edits, and of a project that is saved
@@ -224,9 +226,10 @@ class Document : public QObject {
     Project project;             // its source, fit, edits and view
     std::filesystem::path path;  // of the project; empty: it has none
     bool isFitted = false;
-    bool isReload = false;   // edits, view and path are those of what is open
-    bool isUnsaved = false;  // what a journal kept
-    bool isMoved = false;    // the source lies somewhere else than the project says
+    std::shared_ptr<const SkinValues> skin = {};  // where it is fitted
+    bool isReload = false;                        // edits, view and path are those of what is open
+    bool isUnsaved = false;                       // what a journal kept
+    bool isMoved = false;  // the source lies somewhere else than the project says
     std::filesystem::path maskBeside = {};
     // Instead of all this: what kept it from being opened.
     std::filesystem::path missing;
@@ -263,6 +266,7 @@ class Document : public QObject {
   SourceFitObserver observerOf(const Scene& scene, const JobRunner::Handle& job);
   void show(const Scene& fitted);
   void completeFit(const FitStatistics& statistics, const std::optional<ExposureChoice>& exposure,
+                   const std::shared_ptr<const SkinValues>& skin,
                    const std::vector<FitRemark>& remarks);
   void backToLastFit();
   void fitWithoutNetwork();
@@ -308,12 +312,14 @@ class Document : public QObject {
   bool hasEstimate_ = false;
   bool fitted_ = false;
   FitStatistics statistics_;
+  std::shared_ptr<const SkinValues> skin_;
   // The last one that was complete.
   struct Fit {
     FitChoice choice;
     Scene scene;
     FitStatistics statistics;
     std::optional<ExposureChoice> exposure;  // where it was found
+    std::shared_ptr<const SkinValues> skin;
   };
   std::optional<Fit> lastFit_;
   std::shared_ptr<SharedRect> view_ = std::make_shared<SharedRect>();  // shared with the fit

@@ -60,6 +60,10 @@ Result<Document::Opened> Document::openedProject(const Project& project, const f
     opened.scene.source = source.source;
     opened.scene.maps =
         source.maps ? *source.maps : FitPlanes(source.source->measurements, {}, store_).maps;
+    if (opened.isFitted) {
+      CUTIS_TRY(skin, skinValuesOf(opened.scene.maps, source.model->profile().axes, context));
+      opened.skin = std::make_shared<const SkinValues>(std::move(skin));
+    }
   }
   if (!path.empty()) opened.name = QString::fromStdString(path.stem().string());
   opened.project = std::move(read);
