@@ -129,6 +129,10 @@ END
   done
   "$cli" simulate --patch 24x20 --seed 5 --rig "$in/lamps.json" -o "$in/many" --quiet
   "$cli" fit "$in/capture" -o "$in/maps.exr" --quiet
+  # Skin of real people, of which the model leaves something over.
+  cp -R -- "$in/capture" "$in/real"
+  sed -i 's/"simulated": true/"simulated": false/' "$in/real/capture.json"
+  "$cli" fit "$in/real" -o "$in/left_over.exr" --quiet
   "$cli" fit "$in/many" --rig "$in/lamps.json" --free oxygenation -o "$in/free.exr" --quiet
   "$cli" fit "$in/small" --profile li2024 -o "$in/li2024.exr" --quiet
   "$cli" render "$in/maps.exr" -o "$in/texture.exr" --bit-depth float --quiet
@@ -144,6 +148,14 @@ melanin,melanin_blend,haemoglobin_dermal,haemoglobin_epidermal,carotene
 0.5,1,0.5,0.3,0.01
 END
   "$cli" spectrum --csv "$in/parameters.csv" -o "$in/spectra.csv" --quiet
+  local person
+  printf 'melanin,melanin_blend,haemoglobin_dermal,haemoglobin_epidermal,carotene\n' \
+    >"$in/people_parameters.csv"
+  for person in 1 2 3 4 5 6 7 8 9; do
+    printf '0.0%d,0.%d,0.00%d,0.0%d,0.00%d\n' "$person" "$person" $((10 - person)) \
+      $((1 + person % 4)) $((1 + person % 3)) >>"$in/people_parameters.csv"
+  done
+  "$cli" spectrum --csv "$in/people_parameters.csv" -o "$in/people.csv" --quiet
   cat >"$in/prior.json" <<'END'
 {"scale": "log",
  "mean": {"melanin": 0.03, "melanin_blend": 0.6, "haemoglobin_dermal": 0.02,
@@ -181,6 +193,9 @@ same fit-network-5 fit in/capture -o maps.exr --method network --weights monitor
 same fit-network-li2024 fit in/small -o maps.exr --method network --profile li2024
 same fit-free-oxygenation fit in/many --rig in/lamps.json -o maps.exr --free oxygenation --deviation
 same fit-free-both fit in/many --rig in/lamps.json -o maps.exr --free oxygenation,thickness
+same fit-left-over fit in/real -o maps.exr --deviation --report fit.report.json
+same fit-left-over-off fit in/real -o maps.exr --discrepancy off
+same fit-left-over-removed fit in/real -o maps.exr --specular excluded
 same fit-texture fit in/texture.exr -o maps.exr --report fit.report.json
 same fit-texture-8 fit in/texture.png -o maps.exr --deviation
 same fit-texture-search fit in/texture.png -o maps.exr --method three-stage
@@ -189,6 +204,7 @@ same fit-refused fit in/texture.png -o maps.exr --shading --method network
 same edit edit in/maps.exr -o maps.exr --melanin 1.7 --haemoglobin 0.6 --carotene 2
 same edit-add edit in/maps.exr -o maps.exr --add melanin=0.01 --set carotene=0.002
 same edit-mask edit in/maps.exr -o maps.exr --melanin 3 --melanin-blend 0.5 --mask in/mask.png
+same edit-left-over edit in/left_over.exr -o maps.exr --melanin 1.5
 same edit-free edit in/free.exr -o maps.exr --haemoglobin-dermal 2
 
 same apply-exr apply in/texture.exr -o out.exr --melanin 2
@@ -209,6 +225,7 @@ same render-uv render in/maps.exr -o out.png --band uv
 same render-nir render in/maps.exr -o out.exr --band nir --bit-depth float
 same render-band render in/li2024.exr -o out.exr --band 520:560 --bit-depth float
 same render-li2024 render in/li2024.exr -o out.exr --bit-depth float
+same render-left-over render in/left_over.exr -o out.exr --bit-depth float
 same render-free render in/free.exr -o out.exr --bit-depth float
 same render-space render in/maps.exr -o out.exr --colorspace ACEScg --adapt cat16 --light A
 
@@ -216,11 +233,15 @@ same spectrum spectrum --csv in/parameters.csv
 same spectrum-li2024 spectrum --csv in/parameters.csv --profile li2024
 same spectrum-specular spectrum --csv in/parameters.csv --specular included --aperture-radius 2
 same spectrum-one spectrum --params 0.1,0.7,0.05,0.05,0.002 -o out.csv
+same spectrum-maps spectrum --maps in/left_over.exr --at 20,20 --at 100,60
+same spectrum-deviation spectrum --maps in/left_over.exr --at 20,20 --deviation
 same fit-spectra fit-spectra in/spectra.csv -o out.csv
 same fit-spectra-range fit-spectra in/spectra.csv -o out.csv --range 320:900 --profile li2024
 same fit-spectra-free fit-spectra in/spectra.csv -o out.csv --free oxygenation,thickness
 
 same validate validate in/spectra.csv --profile li2024,skin2026
+same validate-capture validate in/people.csv --capture monitor --noise 0.005 --halvings 0 -o out.csv
+same calibrate-profile calibrate-profile own-people in/people.csv -o out.json --halvings 0
 same rig-identify rig identify --people 60
 same rig-identify-li2024 rig identify --rig in/lamps.json --profile li2024 --people 40
 same train train --rig monitor --people 3000 --epochs 3 --table-step 40 --hidden 8,8 --seed 2 \
