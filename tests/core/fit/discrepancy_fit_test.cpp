@@ -317,7 +317,9 @@ class DiscrepancyFitTest : public QObject {
       const auto& values = people.values[p];
       const Spectrum a = plain.deviation(plain.channels(values), values);
       const Spectrum b = open.deviation(open.channels(values), values);
-      QVERIFY((b >= a).all());
+      // A fit that leaves more open also makes less of the rest's share in the channels.
+      const double least = (b / a).minCoeff();
+      QVERIFY2(least > 0.95 && b.sum() > 1.2 * a.sum(), qPrintable(QString::number(least)));
       const int green = (550 - kFirstWavelengthNm) / kWavelengthStepNm;
       const double reflectance = open.reflectance(values)[green];
       QVERIFY2(b[green] > 2.0 * a[green] && b[green] < 0.1 * reflectance + a[green],
