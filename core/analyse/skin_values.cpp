@@ -51,15 +51,15 @@ SkinValues skinOf(const PixelSample& sample, const ParameterAxes& axes,
 }  // namespace
 
 Result<SkinValues> skinValuesOf(const Measurements& measurements, const ChromophoreMaps& maps,
-                              const PixelSolver& solver, const std::optional<NoiseModel>& noise,
-                              const ParameterAxes& axes, const JobContext& context) {
+                                const PixelSolver& solver, const std::optional<NoiseModel>& noise,
+                                const ParameterAxes& axes, const JobContext& context) {
   CUTIS_TRY(sample, samplePixels(measurements, &maps, kLookedAt, context));
   if (sample.count == 0) return SkinValues{};
   return skinOf(sample, axes, judgeSkin(measurements.rig, solver, noise, sample).isSkin);
 }
 
 Result<SkinValues> skinValuesOf(const ChromophoreMaps& maps, const ParameterAxes& axes,
-                              const JobContext& context) {
+                                const JobContext& context) {
   CUTIS_TRY(sample, sampleMaps(maps, kLookedAt, context));
   return skinOf(sample, axes, std::vector<std::uint8_t>(sample.count, 1));
 }

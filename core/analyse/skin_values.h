@@ -29,12 +29,12 @@ struct SkinValues {
 // pixel. Where that leaves fewer than one pixel in a hundred, all pixels count. `noise`: as in
 // measureGamut().
 Result<SkinValues> skinValuesOf(const Measurements& measurements, const ChromophoreMaps& maps,
-                              const PixelSolver& solver, const std::optional<NoiseModel>& noise,
-                              const ParameterAxes& axes, const JobContext& context);
+                                const PixelSolver& solver, const std::optional<NoiseModel>& noise,
+                                const ParameterAxes& axes, const JobContext& context);
 
 // Of maps whose measurements are not at hand: nothing is known but their concentrations.
 Result<SkinValues> skinValuesOf(const ChromophoreMaps& maps, const ParameterAxes& axes,
-                              const JobContext& context);
+                                const JobContext& context);
 
 struct ValueRange {
   double minimum = 0.0;

@@ -82,7 +82,7 @@ constexpr Room kRooms[] = {
     {"src/images/capture",
      "core/* src/files/* src/color src/images src/images/codec src/images/color "
      "src/images/pixels"},
-    {"src/report", "core/base src/files src/files/io"},
+    {"src/report", "core/base src/files src/files/io src/files/system"},
     {"src/report/plot", "core/base src/report"},
 
     {"src/app", "core/* src/files/* src/images/* src/color"},
@@ -119,8 +119,8 @@ constexpr Room kRooms[] = {
     {"ui/plot", "core/base core/spectra src/report/* ui/theme"},
     {"ui/widgets", "core/base core/spectra core/skin/profile src/app/training ui/theme"},
     {"ui/view",
-     "core/base core/maths core/spectra core/skin/* src/app src/app/document ui/theme ui/plot "
-     "ui/widgets"},
+     "core/base core/maths core/spectra core/skin/* core/analyse src/app src/app/document ui/theme "
+     "ui/plot ui/widgets"},
     {"ui/docks", "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view"},
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},

@@ -110,7 +110,7 @@ class HouseRulesTest : public QObject {
     QVERIFY(mayInclude("src/images/maps", "src/images/codec"));
     QVERIFY(!mayInclude("src/images/codec", "src/images"));
     QVERIFY(!mayInclude("src/images/maps", "src/images/capture"));
-    for (const char* reader : {"src/images", "src/color", "src/register", "src/report"}) {
+    for (const char* reader : {"src/images", "src/color", "src/report"}) {
       QVERIFY(mayInclude(reader, "src/files/io") && !mayInclude("src/files", reader));
       QVERIFY(!mayInclude(reader, "src/app") && !mayInclude(reader, "ui/view"));
       QVERIFY(mayInclude("src/cli/commands", reader));

@@ -306,6 +306,7 @@ class CommandsTest : public test::UiTest {
     window_->edits().setFactor(kMelanin, 1.4, false);
     window_->edits().setFactor(kMelanin, 1.6, false);
     window_->document().undo();
+    window_->views().show(ViewKind::melanin);
     activate();
     window_->viewport().setFocus();
     waitUntilIdle();

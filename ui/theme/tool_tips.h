@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to ui/theme
 
 // Tool tips in lines that can be read: Qt breaks only rich text, and shows a longer sentence as one
 // line across the screen.

@@ -255,6 +255,7 @@ Rows rangeCommands(const Editor& editor) {
        .menu = Menu::view,
        .text = tr("&Logarithmic scale"),
        .toolTip = tr("Small amounts are told apart as well as large ones"),
+       .shortcuts = {QKeySequence(tr("Ctrl+L"))},
        .beginsSection = true,
        .run =
            [editor] {
@@ -272,6 +273,7 @@ Rows rangeCommands(const Editor& editor) {
        .toolTip =
            tr("The colours of the map reach over what is skin, from the 1st to the 99th of a "
               "hundred pixels"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Shift+A"))},
        .run = [editor] { editor.page().views().makeRangeAutomatic(); },
        .objection = [editor] { return unlessMap(editor); },
        .isOn =
