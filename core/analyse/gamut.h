@@ -1,19 +1,11 @@
 #pragma once
 
 // How much of a picture the skin model can be: pixels whose colour or channels no skin of the
-// profile has.
-//
-// Looked at is a regular sample of the pixels with an estimate, at most about 65,000 and all of a
-// small picture. core/analyse/skin_likeness.h says when a pixel is outside. Deterministic; some
-// milliseconds.
+// profile has. Thread-safe: a pure function.
 
 #include <optional>
 
-#include "core/base/job_context.h"
-#include "core/base/result.h"
-#include "core/fit/pixel_solver.h"
-#include "core/rig/measurements.h"
-#include "core/skin/chromophore_maps.h"
+#include "core/analyse/skin_likeness.h"
 
 namespace cutis {
 
@@ -23,10 +15,6 @@ struct GamutStatistics {
   std::optional<double> medianDeltaE;
 };
 
-// `noise`: what the fit assumed instead of the rig's own.
-Result<GamutStatistics> measureGamut(const Measurements& measurements, const ChromophoreMaps& maps,
-                                     const PixelSolver& solver,
-                                     const std::optional<NoiseModel>& noise,
-                                     const JobContext& context);
+GamutStatistics gamutOf(const JudgedPixels& pixels);
 
 }  // namespace cutis

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-
-#include "core/analyse/pixel_sample.h"
-#include "core/analyse/skin_likeness.h"
+#include <iterator>
 
 namespace cutis {
 namespace {
 
-constexpr std::size_t kLookedAt = 65536;
 constexpr double kFewestShare = 0.01;
+constexpr double kSmallestRange = 1e-4;
 constexpr double kTypicalShare = 0.01;  // that lies beyond either end
 // Half floats and steps within limits end a little below.
 constexpr double kEndShare = 0.999;
@@ -20,48 +18,34 @@ constexpr double kEndShare = 0.999;
 // reach theirs in skin as well.
 constexpr Parameter kConcentrations[] = {kMelanin, kHaemoglobinDermal, kHaemoglobinEpidermal};
 
-bool isWithin(const PixelSample& sample, std::size_t i, const ParameterAxes& axes) {
+bool isWithin(const JudgedPixels& pixels, std::size_t i, const ParameterAxes& axes) {
   return std::all_of(std::begin(kConcentrations), std::end(kConcentrations), [&](Parameter k) {
     const auto row = static_cast<std::size_t>(k);
-    return double{sample.values[row][i]} < kEndShare * axes[row].maximum;
+    return double{pixels.values[row][i]} < kEndShare * axes[row].maximum;
   });
 }
 
-SkinValues valuesOf(const PixelSample& sample, const std::vector<std::uint8_t>& chosen) {
+SkinValues valuesOf(const JudgedPixels& pixels, const std::vector<std::uint8_t>& chosen) {
   SkinValues values;
   for (std::size_t k = 0; k < values.sorted.size(); ++k) {
-    for (std::size_t i = 0; i < sample.count; ++i) {
-      if (chosen[i]) values.sorted[k].push_back(sample.values[k][i]);
+    for (std::size_t i = 0; i < pixels.count(); ++i) {
+      if (chosen[i]) values.sorted[k].push_back(pixels.values[k][i]);
     }
     std::sort(values.sorted[k].begin(), values.sorted[k].end());
   }
   return values;
 }
 
-SkinValues skinOf(const PixelSample& sample, const ParameterAxes& axes,
-                  std::vector<std::uint8_t> isSkin) {
-  for (std::size_t i = 0; i < sample.count; ++i)
-    isSkin[i] = isSkin[i] && isWithin(sample, i, axes) ? 1 : 0;
-  const auto count = std::count(isSkin.begin(), isSkin.end(), 1);
-  if (static_cast<double>(count) < kFewestShare * static_cast<double>(sample.count))
-    isSkin.assign(sample.count, 1);
-  return valuesOf(sample, isSkin);
-}
-
 }  // namespace
 
-Result<SkinValues> skinValuesOf(const Measurements& measurements, const ChromophoreMaps& maps,
-                                const PixelSolver& solver, const std::optional<NoiseModel>& noise,
-                                const ParameterAxes& axes, const JobContext& context) {
-  CUTIS_TRY(sample, samplePixels(measurements, &maps, kLookedAt, context));
-  if (sample.count == 0) return SkinValues{};
-  return skinOf(sample, axes, judgeSkin(measurements.rig, solver, noise, sample).isSkin);
-}
-
-Result<SkinValues> skinValuesOf(const ChromophoreMaps& maps, const ParameterAxes& axes,
-                                const JobContext& context) {
-  CUTIS_TRY(sample, sampleMaps(maps, kLookedAt, context));
-  return skinOf(sample, axes, std::vector<std::uint8_t>(sample.count, 1));
+SkinValues skinValuesOf(const JudgedPixels& pixels, const ParameterAxes& axes) {
+  std::vector<std::uint8_t> isSkin = pixels.isSkin;
+  for (std::size_t i = 0; i < pixels.count(); ++i)
+    isSkin[i] = isSkin[i] && isWithin(pixels, i, axes) ? 1 : 0;
+  const auto count = std::count(isSkin.begin(), isSkin.end(), 1);
+  if (static_cast<double>(count) < kFewestShare * static_cast<double>(pixels.count()))
+    isSkin.assign(pixels.count(), 1);
+  return valuesOf(pixels, isSkin);
 }
 
 std::optional<ValueRange> typicalRange(const std::vector<float>& sorted) {
@@ -71,8 +55,8 @@ std::optional<ValueRange> typicalRange(const std::vector<float>& sorted) {
     return double{sorted[static_cast<std::size_t>(std::lround(share * last))]};
   };
   const ValueRange range = {at(kTypicalShare), at(1.0 - kTypicalShare)};
-  if (!(range.minimum < range.maximum)) return std::nullopt;
-  return range;
+  if (range.minimum < range.maximum) return range;
+  return ValueRange{0.0, std::max(range.maximum, kSmallestRange)};
 }
 
 }  // namespace cutis

@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "core/calibrate/coordinate_search.h"
+#include "core/calibrate/discrepancy/coordinate_search.h"
 #include "core/skin/model/skin_model.h"
 #include "core/skin/profile/discrepancy.h"
 #include "core/spectra/spectral_nodes.h"

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/calibrate/discrepancy_process.h"
-#include "core/calibrate/discrepancy_reduction.h"
-#include "core/calibrate/fitted_process.h"
-#include "core/calibrate/whole_spectrum_fit.h"
+#include "core/calibrate/discrepancy/discrepancy_process.h"
+#include "core/calibrate/discrepancy/discrepancy_reduction.h"
+#include "core/calibrate/discrepancy/fitted_process.h"
+#include "core/calibrate/discrepancy/whole_spectrum_fit.h"
 #include "core/skin/model/instrument_model.h"
 
 namespace cutis {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/calibrate/coordinate_distribution.h"
+#include "core/calibrate/discrepancy/coordinate_distribution.h"
 #include "core/calibrate/fitted_range.h"
 #include "core/fit/reference/map_estimator.h"
 

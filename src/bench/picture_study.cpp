@@ -92,8 +92,8 @@ Result<PictureFigures> fitPicture(const BenchSubject& subject, const Measurement
     const auto start = SteadyClock::now();
     const FitPlanes planes(picture, {}, subject.store);
     CUTIS_TRY(statistics, runFit(picture, solver, planes, silent));
-    CUTIS_TRY(gamut, measureGamut(picture, planes.maps, solver, {}, silent));
-    static_cast<void>(gamut);
+    CUTIS_TRY(pixels, judgePixels(picture, planes.maps, solver, {}, silent));
+    static_cast<void>(gamutOf(pixels));
     const double seconds = secondsSince(start);
     figures.seconds = run == 0 ? seconds : std::min(figures.seconds, seconds);
     figures.solved = statistics.pixels.solved;

@@ -54,8 +54,11 @@ constexpr Room kRooms[] = {
     {"core/analyse", "core/base core/maths core/spectra core/skin/* core/rig core/fit/*"},
     {"core/evaluate",
      "core/base core/maths core/spectra core/skin/* core/rig core/fit/* core/simulate"},
+    {"core/calibrate/discrepancy",
+     "core/base core/maths core/spectra core/skin/* core/rig core/fit/*"},
     {"core/calibrate",
-     "core/base core/maths core/spectra core/skin/* core/rig core/fit/* core/evaluate"},
+     "core/base core/maths core/spectra core/skin/* core/rig core/fit/* core/evaluate "
+     "core/calibrate/discrepancy"},
 
     {"src/files/system", "core/base"},
     {"src/files/io", "core/base src/files/system"},

@@ -150,8 +150,8 @@ Result<Document::Opened> Document::openedMaps(ProjectSource source, const JobCon
     opened.project.fit.method = method.value();
   }
   opened.project.fit.shading = !file.shading.empty();
-  CUTIS_TRY(skin, skinValuesOf(file.maps, model->profile().axes, context.child(0.5, 0.5)));
-  opened.skin = std::make_shared<const SkinValues>(std::move(skin));
+  CUTIS_TRY(pixels, judgePixels(file.maps, context.child(0.5, 0.5)));
+  opened.skin = skinOf(pixels, *model);
   if (file.maps.free().count() == 0) return opened;
   CUTIS_TRY(spectra,
             SkinSpectra::make(model, file.maps.perPixel(), context.child(0.5, 1.0, "spectra")));
@@ -258,7 +258,7 @@ void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle
   } else if (fitted) {
     const FittedSource& found = fitted.value();
     job.post([this, statistics = found.statistics, exposure = found.exposure,
-              skin = std::make_shared<const SkinValues>(found.skin),
+              skin = skinOf(found.pixels, *found.model),
               remarks = found.remarks] { completeFit(statistics, exposure, skin, remarks); });
   }
 }

@@ -21,6 +21,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "core/analyse/skin_values.h"
 #include "core/base/result.h"
 #include "core/fit/fit_run.h"
 #include "src/app/document/scene.h"
@@ -268,6 +269,8 @@ class Document : public QObject {
   void completeFit(const FitStatistics& statistics, const std::optional<ExposureChoice>& exposure,
                    const std::shared_ptr<const SkinValues>& skin,
                    const std::vector<FitRemark>& remarks);
+  static std::shared_ptr<const SkinValues> skinOf(const JudgedPixels& pixels,
+                                                  const SkinModel& model);
   void backToLastFit();
   void fitWithoutNetwork();
   void setEdits(bool moving);

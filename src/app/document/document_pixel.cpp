@@ -1,4 +1,4 @@
-// Parts of src/app/document/document.h: what is known of one pixel.
+// Parts of src/app/document/document.h: what is known of single pixels.
 
 #include <array>
 #include <utility>
@@ -57,6 +57,11 @@ OwnValues ownValuesOf(const Scene& scene, const ParameterBuffer& buffer) {
 }
 
 }  // namespace
+
+std::shared_ptr<const SkinValues> Document::skinOf(const JudgedPixels& pixels,
+                                                   const SkinModel& model) {
+  return std::make_shared<const SkinValues>(skinValuesOf(pixels, model.profile().axes));
+}
 
 std::optional<Document::PixelParameters> Document::parametersAt(int x, int y) const {
   if (!scene_) return std::nullopt;

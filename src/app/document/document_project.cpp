@@ -61,8 +61,8 @@ Result<Document::Opened> Document::openedProject(const Project& project, const f
     opened.scene.maps =
         source.maps ? *source.maps : FitPlanes(source.source->measurements, {}, store_).maps;
     if (opened.isFitted) {
-      CUTIS_TRY(skin, skinValuesOf(opened.scene.maps, source.model->profile().axes, context));
-      opened.skin = std::make_shared<const SkinValues>(std::move(skin));
+      CUTIS_TRY(pixels, judgePixels(opened.scene.maps, context));
+      opened.skin = skinOf(pixels, *source.model);
     }
   }
   if (!path.empty()) opened.name = QString::fromStdString(path.stem().string());

@@ -61,11 +61,9 @@ Status analyse(const FitOptions& options, const PixelSolver& solver, const JobCo
   const Measurements& measurements = fitted.source->measurements;
   const ChromophoreMaps& maps = fitted.planes.maps;
   const JobContext silent = context.child(1.0, 1.0);
-  CUTIS_TRY(gamut, measureGamut(measurements, maps, solver, options.noise, silent));
-  fitted.gamut = gamut;
-  CUTIS_TRY(skin, skinValuesOf(measurements, maps, solver, options.noise,
-                               fitted.model->profile().axes, silent));
-  fitted.skin = std::move(skin);
+  CUTIS_TRY(pixels, judgePixels(measurements, maps, solver, options.noise, silent));
+  fitted.gamut = gamutOf(pixels);
+  fitted.pixels = std::move(pixels);
   CUTIS_TRY(constants,
             summariseConstants(measurements, maps, solver, fitted.model->profile(), silent));
   fitted.constants = std::move(constants);

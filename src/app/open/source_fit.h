@@ -11,7 +11,7 @@
 
 #include "core/analyse/constants_summary.h"
 #include "core/analyse/gamut.h"
-#include "core/analyse/skin_values.h"
+#include "core/analyse/skin_likeness.h"
 #include "core/base/job_context.h"
 #include "core/base/rect.h"
 #include "core/base/result.h"
@@ -55,7 +55,7 @@ struct FittedSource {
   FitOptions options;  // as they suit the source
   FitStatistics statistics;
   GamutStatistics gamut;
-  SkinValues skin;
+  JudgedPixels pixels;
   std::vector<ConstantSummary> constants;  // one for each that is free
   std::optional<double> outsideDiffusion;  // share of the pixels; none by radiative transfer
   std::optional<ExposureChoice> exposure;  // where it was found automatically

@@ -1,4 +1,4 @@
-#pragma once  // internal to core/calibrate
+#pragma once
 
 // People fitted to the whole of their spectra, where what the model leaves over is a random
 // function of the wavelength: the inner part of core/calibrate/discrepancy_learning.h.
@@ -13,7 +13,7 @@
 
 #include "core/base/job_context.h"
 #include "core/base/result.h"
-#include "core/calibrate/discrepancy_process.h"
+#include "core/calibrate/discrepancy/discrepancy_process.h"
 #include "core/skin/model/instrument_model.h"
 
 namespace cutis {

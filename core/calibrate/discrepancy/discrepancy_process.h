@@ -1,4 +1,4 @@
-#pragma once  // internal to core/calibrate
+#pragma once
 
 // A discrepancy (core/skin/profile/discrepancy.h) before it is reduced to a few components: a
 // Gaussian process, relative to the model's reflectance, at every second sample of the grid.
@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "core/calibrate/coordinate_distribution.h"
+#include "core/calibrate/discrepancy/coordinate_distribution.h"
 #include "core/spectra/grid.h"
 
 namespace cutis {

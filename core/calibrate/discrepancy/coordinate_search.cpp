@@ -1,4 +1,4 @@
-#include "core/calibrate/coordinate_search.h"
+#include "core/calibrate/discrepancy/coordinate_search.h"
 
 #include "core/maths/damped_search.h"
 

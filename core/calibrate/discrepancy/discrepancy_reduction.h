@@ -1,4 +1,4 @@
-#pragma once  // internal to core/calibrate
+#pragma once
 
 // A discrepancy's process, reduced to the few components that maps can hold.
 //
@@ -10,7 +10,7 @@
 
 #include <Eigen/Core>
 
-#include "core/calibrate/discrepancy_process.h"
+#include "core/calibrate/discrepancy/discrepancy_process.h"
 #include "core/skin/model/skin_model.h"
 #include "core/skin/profile/discrepancy.h"
 
@@ -34,8 +34,8 @@ SeenComponents seenComponents(const Eigen::MatrixXd& covariance, const Eigen::Ve
 
 // The seen components of a process of all working samples. What they leave over goes to `rest`:
 // eight more spectra, and an independent deviation for what these leave over of the variance, or of
-// leftOut where that is more (leftOutVariance(), core/calibrate/fitted_process.h; zero where
-// nothing was measured). reflectance: typicalReflectance().
+// leftOut where that is more (leftOutVariance(), core/calibrate/discrepancy/fitted_process.h; zero
+// where nothing was measured). reflectance: typicalReflectance().
 Discrepancy reduced(const DiscrepancyProcess& process, const Eigen::VectorXd& reflectance,
                     const Eigen::VectorXd& leftOut, int components, const Prior& like);
 

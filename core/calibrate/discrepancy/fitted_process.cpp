@@ -1,9 +1,9 @@
-#include "core/calibrate/fitted_process.h"
+#include "core/calibrate/discrepancy/fitted_process.h"
 
 #include <algorithm>
 #include <cstddef>
 
-#include "core/calibrate/discrepancy_reduction.h"
+#include "core/calibrate/discrepancy/discrepancy_reduction.h"
 #include "core/maths/decompositions.h"
 #include "core/maths/quantile.h"
 

@@ -1,7 +1,7 @@
-#pragma once  // internal to core/calibrate
+#pragma once
 
-// The process of people (core/calibrate/discrepancy_process.h) from fits of their whole spectra,
-// and how far it is off for somebody whom it was not learned from.
+// The process of people (core/calibrate/discrepancy/discrepancy_process.h) from fits of their whole
+// spectra, and how far it is off for somebody whom it was not learned from.
 //
 // Vectors are over the positions of the working samples that were measured. Thread-safe: pure
 // functions.
@@ -10,8 +10,8 @@
 
 #include <Eigen/Core>
 
-#include "core/calibrate/discrepancy_process.h"
-#include "core/calibrate/whole_spectrum_fit.h"
+#include "core/calibrate/discrepancy/discrepancy_process.h"
+#include "core/calibrate/discrepancy/whole_spectrum_fit.h"
 
 namespace cutis {
 
@@ -26,9 +26,9 @@ DiscrepancyProcess processOf(const std::vector<WholeFit>& fits, const std::vecto
 
 // Mean square, over people, of what is left over of a person's spectrum when the process of all
 // others has told it from the coefficients that are seen of it (seenComponents(),
-// core/calibrate/discrepancy_reduction.h). The process's own variance is of the people whom it was
-// learned from and less than that, the more so the fewer they are. reflectance: of a typical
-// person, over all working samples. Two milliseconds a person.
+// core/calibrate/discrepancy/discrepancy_reduction.h). The process's own variance is of the people
+// whom it was learned from and less than that, the more so the fewer they are. reflectance: of a
+// typical person, over all working samples. Two milliseconds a person.
 Eigen::VectorXd leftOutVariance(const std::vector<WholeFit>& fits,
                                 const std::vector<double>& weights,
                                 const std::vector<Eigen::Index>& at,

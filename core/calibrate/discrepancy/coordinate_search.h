@@ -1,11 +1,11 @@
-#pragma once  // internal to core/calibrate
+#pragma once
 
 // The most probable coordinates of one person under a normal distribution of them, by damped
 // Gauss–Newton steps within a profile's ranges.
 
 #include <functional>
 
-#include "core/calibrate/coordinate_distribution.h"
+#include "core/calibrate/discrepancy/coordinate_distribution.h"
 #include "core/fit/coordinate_prior.h"
 #include "core/maths/equation_sums.h"
 

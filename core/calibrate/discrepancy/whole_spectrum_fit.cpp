@@ -1,4 +1,4 @@
-#include "core/calibrate/whole_spectrum_fit.h"
+#include "core/calibrate/discrepancy/whole_spectrum_fit.h"
 
 #include <algorithm>
 #include <utility>
@@ -6,7 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "core/base/parallel.h"
-#include "core/calibrate/coordinate_search.h"
+#include "core/calibrate/discrepancy/coordinate_search.h"
 #include "core/maths/decompositions.h"
 
 namespace cutis {

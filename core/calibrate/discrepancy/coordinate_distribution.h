@@ -1,4 +1,4 @@
-#pragma once  // internal to core/calibrate
+#pragma once
 
 // A prior as what it is: a normal distribution of the coordinates of the parameters.
 

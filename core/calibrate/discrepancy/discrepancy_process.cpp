@@ -1,4 +1,4 @@
-#include "core/calibrate/discrepancy_process.h"
+#include "core/calibrate/discrepancy/discrepancy_process.h"
 
 #include <algorithm>
 #include <cmath>

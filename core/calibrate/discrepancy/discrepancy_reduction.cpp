@@ -1,4 +1,4 @@
-#include "core/calibrate/discrepancy_reduction.h"
+#include "core/calibrate/discrepancy/discrepancy_reduction.h"
 
 #include <algorithm>
 #include <cmath>

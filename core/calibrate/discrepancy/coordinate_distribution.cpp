@@ -1,4 +1,4 @@
-#include "core/calibrate/coordinate_distribution.h"
+#include "core/calibrate/discrepancy/coordinate_distribution.h"
 
 #include <cmath>
 
