@@ -1,5 +1,7 @@
 // Profile, method and training in the window, by mouse and keys, on the embedded sample.
 
+#include <utility>
+
 #include <QApplication>
 #include <QComboBox>
 #include <QProgressBar>
@@ -22,7 +24,9 @@
 #include "ui/dialogs/training_dialog.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
+#include "ui/view/color_bar_control.h"
 #include "ui/view/view_controller.h"
+#include "ui/view/view_strip.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/neutral_slider.h"
 #include "ui/widgets/progress_strip.h"
@@ -129,6 +133,40 @@ class FitWindowTest : public test::UiTest {
     waitUntilIdle();
     QCOMPARE(window_->viewport().colorBar()->state, QString());
     window_->document().undo();
+    window_->views().show(ViewKind::photograph);
+    waitUntilIdle();
+  }
+
+  void aMapHasARangeThatCanBeDrawn() {
+    window_->opener().openSample();
+    waitUntilIdle();
+    window_->views().show(ViewKind::melanin);
+    waitUntilIdle();
+    const ColorBarSpec usual = *window_->viewport().colorBar();
+    QVERIFY(usual.axis.has_value() && usual.range.minimum > 0.0);
+    auto* bar = window_->findChild<ColorBarControl*>();
+    const QPoint handle = bar->handleAt(true).toPoint();
+    QTest::mousePress(bar, Qt::LeftButton, {}, handle);
+    QTest::mouseMove(bar, handle - QPoint(30, 0));
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, handle - QPoint(30, 0));
+    QVERIFY(window_->viewport().colorBar()->range.maximum < usual.range.maximum);
+    QVERIFY(!window_->commands().action("view.automaticRange")->isChecked());
+    QTest::mouseDClick(bar, Qt::LeftButton, {}, handle);
+    QVERIFY(window_->viewport().colorBar()->range == usual.range);
+    QVERIFY(window_->commands().action("view.automaticRange")->isChecked());
+
+    // What is in view and its thumbnail follow.
+    const auto seen = [&] {
+      auto* strip = window_->findChild<ViewStrip*>();
+      return std::pair(window_->viewport().grab().toImage(), strip->grab().toImage());
+    };
+    const auto linear = seen();
+    QTest::keyClick(&window_->viewport(), Qt::Key_L, Qt::ControlModifier);
+    QCOMPARE(window_->viewport().colorBar()->state, QString("Logarithmic"));
+    const auto logarithmic = seen();
+    QVERIFY(logarithmic.first != linear.first && logarithmic.second != linear.second);
+    QTest::keyClick(&window_->viewport(), Qt::Key_L, Qt::ControlModifier);
+    QVERIFY(seen() == linear);
     window_->views().show(ViewKind::photograph);
     waitUntilIdle();
   }

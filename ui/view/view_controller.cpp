@@ -102,6 +102,7 @@ void ViewController::open() {
   const Scene& scene = document_.scene();
   detail_ = nullptr;
   overview_ = nullptr;
+  thumbnails_.clear();
   firstPicture_ = {};
   ranges_.clear();
   fixed_.clear();
@@ -172,10 +173,16 @@ void ViewController::wantOverview() {
 }
 
 void ViewController::takeThumbnail(const Part& part) {
+  thumbnails_[part->request.view] = part;
   takeRange(part);
-  const ViewKind view = part->request.view;
-  const bool isEmpty = awaitsEstimate(view) || isWithoutEstimate(*part);
-  strip_->setThumbnail(describe(view).id, isEmpty ? QImage() : imageOf(*part));
+  showThumbnail(part->request.view);
+}
+
+void ViewController::showThumbnail(ViewKind view) {
+  const auto known = thumbnails_.find(view);
+  if (strip_ == nullptr || known == thumbnails_.end()) return;
+  const bool isEmpty = awaitsEstimate(view) || isWithoutEstimate(*known->second);
+  strip_->setThumbnail(describe(view).id, isEmpty ? QImage() : imageOf(*known->second));
 }
 
 void ViewController::takeRange(const Part& part) {
@@ -201,6 +208,7 @@ void ViewController::takeSkinValues() {
   for (const ViewDescription& view : viewCatalogue()) {
     if (const auto* values = skinValuesOf(view.kind))
       ranges_[view.kind] = rangeOfValues(*values, logarithmic_.contains(view.kind));
+    showThumbnail(view.kind);
   }
   showRange();
   watchThumbnails();
@@ -232,6 +240,7 @@ const DisplayRange* ViewController::knownRange(ViewKind view) const {
 }
 
 void ViewController::showRange() {
+  showThumbnail(current_);
   showDetail();
   showOverview();
   showColorBar();
@@ -279,7 +288,8 @@ QString ViewController::stateText() const {
   const bool isIncomplete = !document_.isFitted() && !document_.isFitting();
   if (!ranges_.contains(current_) && !document_.isFitted()) return tr("Not fitted yet");
   if (isIncomplete) return tr("Incomplete");
-  return changesView(document_.scene().edits, current_) ? tr("Edited") : QString();
+  if (changesView(document_.scene().edits, current_)) return tr("Edited");
+  return isLogarithmic() ? tr("Logarithmic") : QString();
 }
 
 QImage ViewController::imageOf(const ViewPart& part) const {

@@ -73,6 +73,8 @@ class ViewController : public QObject {
   void wantDetail();
   void wantOverview();
   void takeThumbnail(const Part& part);
+  // In the strip.
+  void showThumbnail(ViewKind view);
   void takeRange(const Part& part);
   // Null for what is no map, and while there is no complete one.
   const std::vector<float>* skinValuesOf(ViewKind view) const;
@@ -98,6 +100,7 @@ class ViewController : public QObject {
   std::set<ViewKind> logarithmic_;
   Part detail_;
   Part overview_;
+  std::map<ViewKind, Part> thumbnails_;
   QImage preview_;  // null: none is shown
   QImage firstPicture_;
   std::unique_ptr<ViewWatch> detailWatch_;
