@@ -32,10 +32,12 @@ Status validate(const Discrepancy& discrepancy, const std::string& place,
                                  "spectra the same length");
   }
   if (!discrepancy.components.allFinite() || !discrepancy.slope.allFinite() ||
-      !discrepancy.covariance.allFinite() || !discrepancy.rest.allFinite() ||
-      !discrepancy.independentDeviation.allFinite() ||
-      (discrepancy.independentDeviation < 0.0).any()) {
+      !discrepancy.covariance.allFinite() || !discrepancy.rest.allFinite()) {
     return inputError(place, prefix + "components must be finite, and all numbers beside them");
+  }
+  if (!(discrepancy.independentDeviation >= 0.0).all() ||
+      !discrepancy.independentDeviation.isFinite().all()) {
+    return inputError(place, prefix + "independent_deviation must be 0 or more everywhere");
   }
   const Spectrum least = 1.0 + discrepancy.mean -
                          kMostCoefficientNorm * discrepancy.components.rowwise().norm().array();

@@ -64,9 +64,9 @@ struct Discrepancies {
 };
 
 // Finite numbers of matching sizes; 1 to kMaximumCoefficients coefficients whose covariance is
-// symmetric and positive definite; no reflectance that could fall below a twentieth of the model's
-// within kMostCoefficientNorm; a proper prior. `prefix` stands in front of
-// field names.
+// symmetric and positive definite; an independent deviation of 0 or more; no reflectance that could
+// fall below a twentieth of the model's within kMostCoefficientNorm; a proper prior. `prefix`
+// stands in front of field names.
 Status validate(const Discrepancy& discrepancy, const std::string& place,
                 const std::string& prefix);
 

@@ -90,6 +90,9 @@ class DiscrepancyFileTest : public QObject {
     QTest::newRow("no covariance") << "-0.5"
                                    << "-1.5"
                                    << "surface_included.covariance";
+    QTest::newRow("less than none") << "\"independent_deviation\": [0.0, "
+                                    << "\"independent_deviation\": [-0.1, "
+                                    << "surface_included.independent_deviation";
     QTest::newRow("short") << "\"mean\": [0.0, "
                            << "\"mean\": ["
                            << "surface_included.mean";
