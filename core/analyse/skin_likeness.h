@@ -36,7 +36,7 @@ struct JudgedPixels {
 Result<JudgedPixels> judgePixels(const Measurements& measurements, const ChromophoreMaps& maps,
                                  const PixelSolver& solver, const std::optional<NoiseModel>& noise,
                                  const JobContext& context);
-// Of maps whose measurements are not at hand: nothing speaks against any pixel.
+// For maps whose measurements are not at hand: nothing speaks against any pixel.
 Result<JudgedPixels> judgePixels(const ChromophoreMaps& maps, const JobContext& context);
 
 }  // namespace cutis

@@ -12,14 +12,14 @@
 
 namespace cutis {
 
-// Of each parameter in ascending order, in its unit.
+// The values of each parameter in ascending order, in its unit.
 struct SkinValues {
   std::array<std::vector<float>, kParameterCount> sorted;
 };
 
-// Of pixels that can be skin of the profile and whose concentrations are below the ends of their
-// ranges: where one is at its end, no skin explains the pixel. Where that leaves fewer than one
-// pixel in a hundred, all pixels count.
+// The values of pixels that can be skin of the profile and whose concentrations are below the ends
+// of their ranges: where one is at its end, no skin explains the pixel. Where that leaves fewer
+// than one pixel in a hundred, all pixels count.
 SkinValues skinValuesOf(const JudgedPixels& pixels, const ParameterAxes& axes);
 
 struct ValueRange {

@@ -238,7 +238,8 @@ class CaptureRun {
   }
 
  private:
-  // Of the whole: a lesson of a model or of both Wiener estimates, or a judgement as shipped.
+  // The next step of the whole: a lesson of a model or of both Wiener estimates, or a judgement as
+  // shipped.
   JobContext next(const std::string& stage) {
     const auto sets = static_cast<double>(study_.sets.size());
     const auto models = static_cast<double>(study_.models.size());

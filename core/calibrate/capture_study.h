@@ -8,7 +8,7 @@
 // are learned again (core/calibrate/discrepancy_learning.h) from half of the people, drawn at
 // random, and judged on the other half, both ways; or from all people but a part, part after part;
 // or learned from one set and judged on another. Wiener estimates are trained on the same spectra.
-// Of more than kMostLearned people as many are drawn to learn from.
+// Where there are more than kMostLearned people, as many are drawn to learn from.
 //
 // Figures of halves are the means over the halves; those of parts are of all people at once.
 // Deterministic by the seed, for any number of threads.

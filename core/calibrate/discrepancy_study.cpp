@@ -27,7 +27,7 @@ constexpr int kLearnedPriorDigits = 4;
 // Where a darker skin's ultraviolet is all but the surface's reflection, what is left after taking
 // that off is error, and may be negative.
 constexpr double kLeastRemoved = 0.003;
-// Of channels without noise, relative: what arithmetic and nodes leave.
+// The relative noise of channels without noise: what arithmetic and nodes leave.
 constexpr double kLeastNoise = 3e-4;
 constexpr double kNotJudged = std::numeric_limits<double>::quiet_NaN();
 // Which of the random sequences.

@@ -110,8 +110,8 @@ SpectrumPosterior::Gain SpectrumPosterior::gainAt(const Linearisation& at,
   return gain;
 }
 
-// Of the rest, less what the unknowns take up of it through the channels. What varies from
-// wavelength to wavelength by itself leaves next to nothing in a channel.
+// The variance of the rest, less what the unknowns take up of it through the channels. What varies
+// from wavelength to wavelength by itself leaves next to nothing in a channel.
 Eigen::ArrayXd SpectrumPosterior::restVariance(const Linearisation& at, const Gain& gain) const {
   const MatrixXd rest = at.reflectance.matrix().asDiagonal() * discrepancy_->rest;
   MatrixXd seen(static_cast<Index>(seeing_.size()), rest.cols());

@@ -23,8 +23,8 @@ namespace cutis {
 
 class SpectrumPosterior {
  public:
-  // Of a fit without free constants. The model outlives it. Precondition: the record is valid with
-  // the model's profile.
+  // Takes a fit without free constants. The model outlives it. Precondition: the record is valid
+  // with the model's profile.
   SpectrumPosterior(const SkinModel& model, const FitRecord& record);
   // As the fit was asked for.
   SpectrumPosterior(const SkinModel& model, const Rig& rig, const FitOptions& options)

@@ -28,7 +28,7 @@ Result<ParameterBuffer> edited(const SkinSamples& samples, const EditStack& edit
   return parameters;
 }
 
-// Of a response model or its table.
+// What a response model or its table makes of the parameters.
 template <typename Response>
 std::vector<std::vector<float>> evaluated(const ParameterBuffer& parameters,
                                           const Response& response) {

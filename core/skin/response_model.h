@@ -25,7 +25,7 @@ class ResponseModel {
   // Chooses the nodes (about 0.1 s). With a discrepancy, pixels bring its coefficients along.
   ResponseModel(const SkinModel& model, const SpectrumRows& rows, const NodeOptions& options = {},
                 const Discrepancy* discrepancy = nullptr);
-  // Of pixels with constants of their own.
+  // The response of pixels with constants of their own.
   explicit ResponseModel(std::shared_ptr<const FreeResponse> free);
 
   // For pixels that bring this along. Errors and cost: those of FreeResponse::make, none where no

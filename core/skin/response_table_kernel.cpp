@@ -13,7 +13,8 @@ namespace cutis {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of x in [0, 1], to 1e-6: a third of the exponent as the first guess, then Halley's rounds.
+// Takes x in [0, 1] and is right to 1e-6: a third of the exponent is the first guess, then come
+// Halley's rounds.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V CubeRoot(D d, V x) {
   const hn::RebindToSigned<D> integers;

@@ -84,10 +84,6 @@ double lightness(double relativeLuminance) {
   return 116.0 * labCurve(relativeLuminance) - 16.0;
 }
 
-double deltaE76(const Eigen::Vector3d& lab1, const Eigen::Vector3d& lab2) {
-  return (lab1 - lab2).norm();
-}
-
 double deltaE2000(const Eigen::Vector3d& lab1, const Eigen::Vector3d& lab2) {
   const double chroma1 = std::hypot(lab1[1], lab1[2]);
   const double chroma2 = std::hypot(lab2[1], lab2[2]);

@@ -35,7 +35,6 @@ Eigen::Vector3d labFromXyz(const Eigen::Vector3d& xyz, const Eigen::Vector3d& wh
 // L* alone of a relative luminance (perfect diffuser = 1).
 double lightness(double relativeLuminance);
 
-double deltaE76(const Eigen::Vector3d& lab1, const Eigen::Vector3d& lab2);
 double deltaE2000(const Eigen::Vector3d& lab1, const Eigen::Vector3d& lab2);
 
 // Individual typology angle in degrees: atan((L* − 50) / b*), Chardon et al. 1991.

@@ -32,8 +32,8 @@ struct PixelPlace {
 
 struct MapSpectraOptions {
   std::vector<PixelPlace> places;  // none: all pixels with an estimate
-  // Of the fit that made the maps: adds columns sd300, sd302, …, sd1000 with the posterior standard
-  // deviations, about 0.2 ms a pixel and core.
+  // The fit that made the maps: it adds columns sd300, sd302, …, sd1000 with the posterior standard
+  // deviations, at about 0.2 ms a pixel and core.
   std::optional<FitRecord> deviationsOf;
 };
 

@@ -25,10 +25,10 @@ enum class ProfileKind { rgb, grey, cmyk, lab };
 struct IccProfile {
   ProfileKind kind = ProfileKind::rgb;
   std::string description;  // its name, for people; may be empty
-  // Of RGB, and of grey as R = G = B; empty for the others. Carries the profile's bytes, for grey
-  // those of an RGB profile of the same curve.
+  // The space of RGB, and of grey as R = G = B; empty for the others. Carries the profile's bytes,
+  // for grey those of an RGB profile of the same curve.
   ColorSpace space;
-  // Of CMYK alone: inks from 0 (none) to 1, four a pixel, to linear Rec.709.
+  // For CMYK alone: inks from 0 (none) to 1, four a pixel, to linear Rec.709.
   std::function<void(std::span<const float> inks, std::span<float> rgb)> inksToLinearRec709;
 };
 

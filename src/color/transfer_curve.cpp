@@ -32,7 +32,7 @@ double interpolated(const std::vector<double>& table, double x) {
   return table[i] + (x * steps - at) * (table[i + 1] - table[i]);
 }
 
-// Of a table that never falls.
+// Where y lies in a table that never falls.
 double positionOf(const std::vector<double>& table, double y) {
   if (std::isnan(y)) return y;
   const double steps = static_cast<double>(table.size() - 1);

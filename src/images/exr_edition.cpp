@@ -307,7 +307,7 @@ void sayChangedCompressions(ImageReader& reader, const std::vector<OutputPart>& 
               "written instead");
 }
 
-// Of a part that is copied as it is.
+// The header of a part that is copied as it is.
 OIIO::ImageSpec copiedSpec(const OIIO::ImageSpec& source, const Layout& layout) {
   OIIO::ImageSpec spec = source;
   for (const char* ofTheFile : {"oiio:subimages", "openexr:chunkCount", "openexr:lineOrder"})

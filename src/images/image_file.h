@@ -45,7 +45,7 @@ struct PreviewSink;
 struct ImageFrame {
   Rect display;  // what is to be shown; there may be overscan around it
   Rect stored;   // what the file holds; the rest is 0
-  // Of the picture's first pixel in the file's own coordinates; 0 except for OpenEXR.
+  // Where the picture's first pixel is in the file's own coordinates; 0 except for OpenEXR.
   int originX = 0;
   int originY = 0;
 };
@@ -116,9 +116,9 @@ struct ImageContent {
   // Empty says nothing about the colours.
   ColorSpace colorSpace;
   ImageMetadata metadata;
-  // Of colours named R, G and B or Y, where there is an alpha.
+  // How colours named R, G and B or Y are stored where there is an alpha.
   AlphaKind alphaKind = AlphaKind::straight;
-  // Of a changed picture: what it was read from. Channels are those of the source, in its order.
+  // What a changed picture was read from. Channels are those of the source, in its order.
   std::optional<ImageHeader> source = {};
   bool isSourceSpace = true;    // the colours are in the source's colour space
   std::string sourceHash = {};  // ContentHash of its file, by which it is known to be the same

@@ -105,7 +105,7 @@ inline Eigen::Vector3d iccD50() {
   return {0.9642, 1.0, 0.8249};
 }
 
-// Of primaries and a curve tag, adapted to D50 (Bradford).
+// A profile of primaries and a curve tag, adapted to D50 (Bradford).
 inline std::string matrixProfile(int version, const std::array<double, 8>& chromaticities,
                                  const std::string& curve, const std::string& name) {
   const RgbPrimaries primaries = {"", chromaticities};

@@ -33,8 +33,8 @@ namespace cutis {
 namespace {
 
 constexpr int kCommandPatienceMs = 120000;
-// Of another document, or of none; see DocumentTabsTest. Those of files are not for the sample; see
-// MaskWindowTest; nor is there anything to cancel or to fit again.
+// Commands of another document, or of none; see DocumentTabsTest. Those of files are not for the
+// sample; see MaskWindowTest; nor is there anything to cancel or to fit again.
 const QStringList kLeavingCommands = {
     "file.quit",        "file.close",      "view.nextDocument", "view.previousDocument",
     "file.interpretAs", "file.chooseMask", "file.removeMask",   "edit.cancelJob",

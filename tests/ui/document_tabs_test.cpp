@@ -159,7 +159,7 @@ class DocumentTabsTest : public test::UiTest {
     image.fill(QColor(150, 110, 90));
     for (const char* name : {"c.png", "a.png", "b.png"})
       QVERIFY(image.save(file(name)));
-    // Of different sizes, so that they are no photographs of one scene.
+    // Their sizes differ, so that they are no photographs of one scene.
     QVERIFY(image.scaled(61, 50).save(file("a.png")));
     drop({"c.png", "a.png", "b.png"});
     waitUntilIdle();

@@ -64,7 +64,7 @@ class EditPanelTest : public test::UiTest {
     QCOMPARE(changed.count(), 0);
     QCOMPARE(panel.factors()[kHaemoglobinEpidermal], 1.3);
     QCOMPARE(panel.factors()[kCarotene], 2.0);
-    QVERIFY(!panel.haemoglobinsLinked());
+    QVERIFY(!panel.findChild<QCheckBox*>()->isChecked());
   }
 
   // From slider to field, from row to row, and then the foot.

@@ -32,7 +32,7 @@ struct CommandDescription {
   std::function<QString()> textNow = {};
   // For commands that switch something on and off: whether it is on.
   std::function<bool()> isOn = {};
-  // Of the commands of one group one is on at a time; empty: none excludes another.
+  // One of the commands of a group is on at a time; empty: none excludes another.
   QString exclusiveGroup = {};
 };
 

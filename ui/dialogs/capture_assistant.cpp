@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kThumbnail = 96;
 constexpr int kMostHeight = 4 * (kThumbnail + theme::kSpace);
-// Of the window manager, about the dialog.
+// The window manager's frame about the dialog.
 constexpr QSize kFrame(16, 44);
 constexpr double kWorthSaying = 0.001;  // of saturated pixels
 constexpr char kFirstRig[] = "monitor";

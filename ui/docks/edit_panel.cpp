@@ -130,10 +130,6 @@ std::array<double, kParameterCount> EditPanel::factors() const {
   return factors;
 }
 
-bool EditPanel::haemoglobinsLinked() const {
-  return link_->isChecked();
-}
-
 void EditPanel::setResting(const QString& why) {
   for (ParameterSlider* slider : sliders_)
     slider->setResting(why);

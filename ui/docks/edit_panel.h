@@ -26,7 +26,6 @@ class EditPanel : public QWidget {
   // refused are forgotten.
   void setFactors(const std::array<double, kParameterCount>& factors);
   std::array<double, kParameterCount> factors() const;
-  bool haemoglobinsLinked() const;
   // Why nothing can be edited now, which the sliders' tool tips say; empty if it can.
   void setResting(const QString& why);
   // There are edits that no slider shows, which Reset takes away as well.

@@ -33,7 +33,7 @@ class FitPanel : public QWidget {
   // Silent. A profile that is not offered yet, a file, is offered as long as it is shown, and after
   // keepProfile() from then on. Takes an offer of training back.
   void show(const FitChoice& choice, Subject subject);
-  // Of a texture: what is in force, and of an exposure that was found which share of the pixels it
+  // For a texture: the exposure in force and, where it was found, the share of the pixels that it
   // brings into the range of skin. Silent.
   void showExposure(double exposure, const std::optional<double>& shareInRange);
   // The profile that is shown has turned out to be good.

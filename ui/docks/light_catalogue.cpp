@@ -75,7 +75,7 @@ QString titleOf(const QString& name) {
   for (const auto& [known, title] : titles) {
     if (name == known) return title;
   }
-  // Of files that name themselves well: blanks are underscores there.
+  // Files that name themselves well have underscores for blanks.
   return QString(name).replace('_', ' ');
 }
 

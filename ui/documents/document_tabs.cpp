@@ -191,7 +191,7 @@ void DocumentTabs::addTab(DocumentPage& page) {
   bar_->setTabButton(tab, QTabBar::RightSide, button);
 }
 
-// Of documents of one name the folders tell which is which.
+// Where documents have one name, their folders tell which is which.
 QString DocumentTabs::titleOf(const Document& document) const {
   const QString folder = QFileInfo(placeOf(document)).dir().dirName();
   int namesakes = 0;

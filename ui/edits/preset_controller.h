@@ -24,7 +24,7 @@ class PresetController : public QObject {
   PresetController(Document& document, ViewController& views, ProgressStrip& progress,
                    QWidget* window);
 
-  // Of the catalogue, by its id.
+  // Uses one of the catalogue, by its id.
   void useBuiltIn(const QString& id);
   void useFile(const QString& path);
   void saveFile(const QString& path);

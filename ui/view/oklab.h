@@ -17,6 +17,5 @@ double distance(const OkLab& from, const OkLab& to);
 
 // Opaque. Colours outside sRGB are clipped per channel.
 QRgb toSrgb(const OkLab& color);
-OkLab toOkLab(QRgb color);
 
 }  // namespace cutis

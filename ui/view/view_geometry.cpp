@@ -8,7 +8,7 @@ namespace {
 
 // Device pixels of the picture that panning cannot push out of view.
 constexpr double kStripInView = 48;
-// Of a fitted picture, however long and narrow it is.
+// The least side of a fitted picture, however long and narrow it is.
 constexpr double kLeastSide = 4;
 
 int roundedDown(double value, int multiple) {

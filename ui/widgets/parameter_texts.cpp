@@ -7,7 +7,7 @@
 namespace cutis {
 namespace {
 
-// Of the table of chromophores, so that they are found by translators.
+// The units in the table of chromophores, so that translators find them.
 [[maybe_unused]] constexpr const char* kUnits[] = {
     QT_TRANSLATE_NOOP("ParameterTexts", "volume fraction"),
     QT_TRANSLATE_NOOP("ParameterTexts", "share of eumelanin"),

@@ -4,7 +4,8 @@
 
 namespace cutis {
 
-// Of a key or a notch, in the value; with shift, and of a drag with shift.
+// What a key or a notch moves the value by, and the part of it that they and a drag move with
+// shift.
 inline constexpr double kSliderStep = 0.05;
 inline constexpr double kFineStep = 0.1;
 

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr char kFormat[] = "png";
 
-// Of a file as it is now; empty if it has gone.
+// The name that suits a file as it is now; empty if it has gone.
 std::string nameFor(const QString& file) {
   std::error_code error;
   const fs::path path = file.toStdString();

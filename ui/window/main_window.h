@@ -60,7 +60,7 @@ class MainWindow : public QMainWindow {
   OpenController& opener() { return *opener_; }
   ProgressStrip& progress() { return *progress_; }
   DocumentTabs& tabs() { return *tabs_; }
-  // Of the current page, here and below.
+  // Those of the current page, here and below.
   Document& document();
   Workspace& workspace();
   ViewController& views();

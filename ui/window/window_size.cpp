@@ -7,7 +7,7 @@
 namespace cutis {
 namespace {
 
-// Of the window manager; before a window is shown nobody knows its true one.
+// The window manager's frame; before a window is shown nobody knows its true one.
 constexpr QMargins kWindowFrame(8, 36, 8, 8);
 
 }  // namespace

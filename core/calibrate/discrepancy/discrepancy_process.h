@@ -21,7 +21,7 @@ struct DiscrepancyProcess {
   Eigen::MatrixXd slope;  // [sample][parameter]
   Eigen::MatrixXd covariance;
 
-  // Of all that varies, people included.
+  // The covariance of all that varies, people included.
   Eigen::MatrixXd totalCovariance() const;
 };
 

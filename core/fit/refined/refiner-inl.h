@@ -396,7 +396,7 @@ class Refiner {
     NoteEnds(d, problem_, lanes_, trial, last, finished, hn::AndNot(accepted, finished), ends_);
   }
 
-  // Of the lanes that finished in a run.
+  // Writes the coefficients of the lanes that finished in a run.
   HWY_INLINE void WriteCoefficients(M finished) {
     const D d;
     V found[kMaximumCoefficients];

@@ -51,7 +51,7 @@ enum class SurfaceLight { included, removed };
 std::string surfaceLightName(SurfaceLight surface);
 std::optional<SurfaceLight> surfaceLightByName(const std::string& name);
 
-// Of both kinds of measurements; none where it was not learned.
+// The discrepancies of both kinds of measurements; none where it was not learned.
 struct Discrepancies {
   std::optional<Discrepancy> surfaceIncluded;
   std::optional<Discrepancy> surfaceRemoved;

@@ -20,7 +20,7 @@ constexpr double kLargestMaximum = 1e6;
 
 // A shift or a smoothing beyond it would be another chromophore.
 constexpr double kMaximumShiftNm = 100.0;
-// Of places and lengths on the scale of wavelengths.
+// The limit of places and lengths on the scale of wavelengths.
 constexpr double kFarthestNm = 1e5;
 
 bool isBetween(double low, double value, double high) {

@@ -169,7 +169,7 @@ class Document : public QObject {
     std::optional<Spectrum> deviation;
   };
   std::optional<PixelSpectra> spectraAt(int x, int y) const;
-  // Of them the parameters alone, which need no model.
+  // The parameters alone, which need no model.
   struct PixelParameters {
     ParameterVector original;
     ParameterVector edited;

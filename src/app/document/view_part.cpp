@@ -49,12 +49,6 @@ std::optional<Parameter> parameterOf(ViewKind view) {
   }
 }
 
-Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureRequest& picture,
-                            const ViewRequest& request, const JobContext& context) {
-  CUTIS_TRY(samples, ViewSamples::load(scene, engine, picture, request, nullptr, context));
-  return samples.render(scene.edits, ViewAccuracy::exact, context);
-}
-
 Result<ViewPart> renderAveraged(const Scene& scene, Engine& engine, const PictureRequest& picture,
                                 const ViewRequest& request, const JobContext& context) {
   ViewPart part;

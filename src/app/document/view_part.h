@@ -43,14 +43,10 @@ struct ViewPart {
 // Whether the view shows light: concentrations are never averaged.
 bool canBeAveraged(ViewKind view);
 
-// The part of the picture that a request asks for; what lies outside of the picture is left out.
-// `picture` is the light and eyes of the view `skin`. On all cores. Precondition for photograph
-// and editedAlbedo: the scene has a source.
-Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureRequest& picture,
-                            const ViewRequest& request, const JobContext& context);
-
-// The same, but each sample is the mean of the step × step texels that it stands for, all of them
-// computed exactly. Precondition: canBeAveraged() of the view.
+// The part of the picture that a request asks for, each sample the mean of the step × step texels
+// that it stands for, all of them computed exactly; what lies outside of the picture is left out.
+// `picture` is the light and eyes of the view `skin`. On all cores. Precondition: canBeAveraged()
+// of the view; for photograph and editedAlbedo the scene has a source.
 Result<ViewPart> renderAveraged(const Scene& scene, Engine& engine, const PictureRequest& picture,
                                 const ViewRequest& request, const JobContext& context);
 

@@ -36,8 +36,9 @@ struct ViewSkin {
 
 class ViewSamples {
  public:
-  // Of the part that a request asks for, cut to the picture. read: by another view of the same
-  // maps, to be used if it is of the same part; may be null. Preconditions: those of renderView().
+  // Loads the part that a request asks for, cut to the picture. read: what another view of the same
+  // maps read, to be used if it is of the same part; may be null. Precondition: for photograph and
+  // editedAlbedo the scene has a source.
   static Result<ViewSamples> load(const Scene& scene, Engine& engine, const PictureRequest& picture,
                                   const ViewRequest& request,
                                   const std::shared_ptr<const ViewSkin>& read,

@@ -67,7 +67,8 @@ class ViewWatch {
   bool due_ = false;         // the last part shown is not of this state, or none was
   bool averageDue_ = false;  // it is, but nothing was done yet that waits for everything else
   bool seen_ = true;
-  // Of the request and the maps as they are, if they were read; and every other one of them.
+  // The samples of the request and the maps as they are, if they were read; and every other one of
+  // them.
   std::shared_ptr<const ViewSamples> samples_;
   std::shared_ptr<const ViewSamples> coarse_;
 };

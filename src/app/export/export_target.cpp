@@ -71,7 +71,7 @@ Result<PictureEncoding> encodingFor(const ExportTarget& target, const ImageHeade
   PictureEncoding encoding = {type, usualSpace(type)};
   if (!target.colorSpace.empty()) {
     CUTIS_TRY(space, namedColorSpace(target.colorSpace, kColorSpaceChoice));
-    // Of two spaces of one name the file's own goes back to its exact numbers.
+    // Where two spaces have one name, the file's own goes back to its exact numbers.
     const bool own = image != nullptr && space.name == imageSpace.name;
     encoding.colorSpace = own ? imageSpace : std::move(space);
   } else if (image != nullptr && isInteger(image->sourceType) == isInteger(type) &&

@@ -21,14 +21,14 @@ struct FitChoice {
   FitMethod method = FitMethod::refined;
   // One more factor per pixel (core/fit/shading.h).
   bool shading = false;
-  // Of a single image: a factor on its linear values; found anew by each fit unless given.
+  // A factor on a single image's linear values; found anew by each fit unless given.
   std::optional<double> exposure = {};
-  // Of photographs: what has become of the reflection at the skin's surface, and, where they
-  // contain it, how large it is; it is taken off them then. None: nobody has said.
+  // What has become of the reflection at the skin's surface in photographs, and, where they contain
+  // it, how large it is; it is taken off them then. None: nobody has said.
   std::optional<SpecularPart> specular = {};
   double specularShare = kSkinSpecularShare;
 
-  // Of the method refined alone, here and below; see core/fit/fit_options.h.
+  // For the method refined alone, here and below; see core/fit/fit_options.h.
   // Standard deviations, constant and proportional; the rig's unless given.
   std::optional<std::array<double, 2>> noise = {};
   std::string prior = {};  // the path of a file; empty: the profile's

@@ -76,7 +76,7 @@ Chromaticity chromaticity(const Eigen::Vector3d& color) {
   return {std::log(color[0] / color[1]), std::log(color[2] / color[1])};
 }
 
-// Of a perfect diffuser, as the camera sees it before any white balance.
+// The colour of a perfect diffuser, as the camera sees it before any white balance.
 Eigen::Vector3d colorOfLight(const Rig& rig, int light) {
   const Spectrum& power = rig.lights[static_cast<std::size_t>(light)].power;
   Eigen::Vector3d color;

@@ -13,7 +13,7 @@
 namespace cutis {
 
 struct SourcePreview {
-  // Of the whole picture, in pixels.
+  // The size of the whole picture, in pixels.
   int width = 0;
   int height = 0;
   // All of it, in the colours of photographPart(), a sample for each step × step pixels; present

@@ -36,7 +36,7 @@ Status addHashes(const std::filesystem::path& path, const std::vector<SourceRefe
 Result<std::vector<std::filesystem::path>> changedFiles(std::vector<SourceFile>& files,
                                                         const JobContext& context);
 
-// Of these the ones that are not there.
+// Those of the files that are not there.
 std::vector<std::filesystem::path> missingFiles(const std::vector<SourceFile>& files);
 // The first of them; empty if none is missing.
 std::filesystem::path firstMissing(const std::vector<SourceFile>& files);

@@ -22,7 +22,7 @@ JobContext silent(const JobContext& context) {
   return {context.stop, {}, context.notice};
 }
 
-// Of reflectance, as everywhere the errors of networks are shown.
+// The error of reflectance, as everywhere the errors of networks are shown.
 std::string percentText(double meanSquaredError) {
   return formatNumber(100.0 * std::sqrt(meanSquaredError), 2) + " %";
 }

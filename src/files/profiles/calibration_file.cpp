@@ -33,7 +33,7 @@ bool isWavelength(double nm) {
   return nm >= kFirstWavelengthNm && nm <= kLastWavelengthNm;
 }
 
-// Of errors of reflectance.
+// Whether it can be an error of reflectance.
 bool isShareAbove0(double value) {
   return value > 0.0 && value <= 1.0;
 }
@@ -203,7 +203,7 @@ Status parseConstants(const JsonValue& root, CalibrationRecipe& recipe) {
   return {};
 }
 
-// Of a recipe that keeps all constants.
+// Reads what a recipe asks that keeps all constants.
 Status parseDiscrepancyAsked(const JsonValue& root, CalibrationRecipe& recipe) {
   CUTIS_TRY(spectra, root.array("spectra"));
   if (spectra.size() != 1) {

@@ -64,7 +64,7 @@ struct CalibrationRecipe {
   std::vector<CalibrationConstant> constants;
   std::size_t priorSpectra = 0;
   double priorNoise = 0.0;
-  // Of a discrepancy; then there are no constants. 0: none is learned.
+  // How many a discrepancy has; then there are no constants. 0: none is learned.
   int components = 0;
 
   bool learnsDiscrepancy() const { return components > 0; }

@@ -7,7 +7,8 @@
 
 namespace cutis {
 
-// Of a heading or a unit: "%R", "s [%]", "percent"; not "50 % grey", which counts something else.
+// Whether a heading or a unit says so: "%R", "s [%]", "percent"; not "50 % grey", which counts
+// something else.
 bool declaresPercent(std::string_view heading);
 
 // The first line before `endLine`, counted from 1, that declares it of the values: "# Reflectance

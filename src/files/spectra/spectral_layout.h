@@ -37,7 +37,7 @@ class SpectralLayout {
   std::string_view cell(std::size_t spectrum, std::size_t wavelength) const {
     return rowAt(spectrum, wavelength).fields[columnAt(spectrum, wavelength)];
   }
-  // Of the file's, the first that holds values.
+  // The first of the file's lines that holds values.
   int firstLine() const;
   // "file:line, column"
   std::string placeOf(std::size_t spectrum, std::size_t wavelength) const;

@@ -36,7 +36,7 @@ bool isUnitOnly(std::string_view field);
 // Raw readings of a detector, by their unit.
 bool saysCounts(std::string_view field);
 
-// Of a heading: "Wavelength (µm)", "wavelength_um", "[nm]"; nothing if it names none.
+// The unit in a heading: "Wavelength (µm)", "wavelength_um", "[nm]"; nothing if it names none.
 std::optional<WavelengthUnit> unitOf(std::string_view heading);
 
 std::string loweredText(std::string_view text);

@@ -21,7 +21,7 @@ int ownStream() {
   return own;
 }
 
-// Of the living silences.
+// Guards the count of living silences.
 std::mutex mutex;
 int silences = 0;
 

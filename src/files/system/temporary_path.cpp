@@ -35,7 +35,7 @@ std::string shortened(std::string name, std::size_t bytes) {
   return name;
 }
 
-// Of a temporary's name: what stands before the process and after the number.
+// The parts of a temporary's name that stand before the process and after the number.
 struct NameParts {
   std::string front;
   std::string back;

@@ -31,7 +31,7 @@ struct CapturePhotograph {
 // What capture.json says that the photographs' numbers are.
 struct CaptureEncoding {
   std::string name = "linear";  // as capture.json has it
-  // Of numbers that are not linear; linear where the numbers are taken as they are.
+  // The curves of numbers that are not linear; linear where they are taken as they are.
   std::array<TransferCurve, 3> curves;
   // "raw": whatever the photographs say of themselves does not count.
   bool isRaw = false;

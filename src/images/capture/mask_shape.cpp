@@ -13,7 +13,7 @@
 namespace cutis {
 namespace {
 
-// Of Rec.709.
+// The shares of Rec.709's primaries.
 constexpr std::array<float, 3> kLuminance = {0.2126f, 0.7152f, 0.0722f};
 
 // Values apart from each other by less than any sample type tells apart are one value.
@@ -41,7 +41,7 @@ struct Range {
 struct Spread {
   std::vector<Range> colors;
   Range alpha;
-  // Of the first colour where alpha is not 0.
+  // The range of the first colour where alpha is not 0.
   Range covered;
   bool grey = true;
 };

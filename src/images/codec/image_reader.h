@@ -49,7 +49,7 @@ struct ImagePart {
   std::optional<StoredColors> otherColors;
   int storedChannels = 0;
 
-  // Of the picture upright.
+  // The size of the picture upright.
   int width() const { return swapsSides(orientation) ? window.height() : window.width(); }
   int height() const { return swapsSides(orientation) ? window.width() : window.height(); }
   // -1 if there is none of that name.

@@ -15,11 +15,11 @@ struct ExifColors {
   std::string interopIndex;       // "R98": sRGB, "R03": Adobe RGB
 };
 
-// Of a TIFF structure that begins at the beginning of the stream: a TIFF file, or an EXIF block
-// without its mark. Nothing of what is damaged or leads out of the stream.
+// What a TIFF structure says that begins at the beginning of the stream: a TIFF file, or an EXIF
+// block without its mark. Nothing of what is damaged or leads out of the stream.
 ExifColors exifColorsOf(std::istream& tiff);
 
-// Of the APP1 segment of a JPEG file; empty without one.
+// The content of the APP1 segment of a JPEG file; empty without one.
 std::string exifBlockOfJpeg(const std::filesystem::path& path);
 
 }  // namespace cutis

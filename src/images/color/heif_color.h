@@ -13,7 +13,7 @@ namespace cutis {
 
 struct HeifColors {
   std::optional<std::string> profile;  // the ICC profile
-  // Of nclx, for red, green and blue as they are decoded: full range, without a matrix.
+  // What nclx says of red, green and blue as they are decoded: full range, without a matrix.
   std::optional<CodePoints> codePoints;
 };
 

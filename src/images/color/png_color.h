@@ -21,7 +21,7 @@ struct PngColors {
   std::optional<std::string> profile;  // the ICC profile of iCCP, empty if it is damaged
   bool hasSrgb = false;
   std::optional<double> gamma;  // of gAMA: the exponent from light to numbers
-  // Of cHRM: x, y of red, green, blue and white.
+  // What cHRM says: x, y of red, green, blue and white.
   std::optional<std::array<double, 8>> chromaticities;
   std::string exif;  // content of eXIf
 };

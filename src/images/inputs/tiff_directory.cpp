@@ -89,7 +89,7 @@ std::optional<TiffDirectory::Field> TiffDirectory::fieldAt(std::uint64_t entry) 
   if (!type || !count || !value) return {};
   const TypeLayout layout = layoutOf(*type);
   if (layout.numbers == 0) return {};
-  // Of more than the file could hold it does not matter how many there are.
+  // Beyond what the file could hold it does not matter how many there are.
   const std::uint64_t most = std::uint64_t{1} << 62;
   Field field = {valueAt, std::min(*count, most) * static_cast<std::uint64_t>(layout.numbers),
                  layout.bytesEach};

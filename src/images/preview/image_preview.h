@@ -2,7 +2,7 @@
 
 // A first impression of a picture, long before all of it is read.
 //
-// Of a JPEG its transform gives it at a fraction of the work; OpenEXR and TIFF files have smaller
+// A JPEG's transform gives it at a fraction of the work; OpenEXR and TIFF files have smaller
 // versions of it, or are read in some of their strips or rows of tiles, between which it is filled
 // in. Pictures in other files are seen row by row as they are read. The first impression has the
 // colours, the layer and the orientation in which the whole picture will be read.
@@ -19,7 +19,7 @@
 namespace cutis {
 
 struct ImagePreview {
-  // Of the whole picture, upright.
+  // The size of the whole picture, upright.
   int width = 0;
   int height = 0;
   int step = 1;  // each pixel of the preview stands for step × step of these

@@ -148,7 +148,8 @@ class CaptureStudyTest : public QObject {
         medianOf(alone.value(), CaptureEstimator::refined, CaptureScheme::foldLeftOut);
     EXPECT_AT_MOST(learned, 0.5 * shipped);
     QVERIFY(medianOf(alone.value(), CaptureEstimator::wiener, CaptureScheme::foldLeftOut) > 0.0);
-    // Of all people at once: nobody is worse than the worst, and coverage is a share of them all.
+    // All people are counted at once: nobody is worse than the worst, and coverage is a share of
+    // them all.
     for (const CaptureResult& result : alone.value()) {
       double worst = 0.0;
       for (std::size_t group = 1; group < kCaptureGroups; ++group)

@@ -133,7 +133,7 @@ class CaptureValidationTest : public QObject {
     }
   }
 
-  // Of people who are as the prior says, two deviations hold 95 in 100.
+  // Two deviations hold 95 in 100 people who are as the prior says.
   void deviationsHoldWhatTheyPromise() {
     FitOptions options;
     options.prior = test::li2024().profile().prior;

@@ -250,7 +250,7 @@ class DiscrepancyFitTest : public QObject {
     }
   }
 
-  // Of people who are as the profile says, two deviations hold what they should.
+  // Two deviations hold what they should of people who are as the profile says.
   void bandsHoldThePeople_data() {
     QTest::addColumn<bool>("monitor");
     QTest::newRow("nine channels") << true;

@@ -87,7 +87,7 @@ Eigen::Vector3d lab(const PictureBuffer& picture, std::size_t i) {
   return labFromXyz(toXyz * rgb, white);
 }
 
-// Of the drafts of all people with an estimate, CIEDE2000.
+// The errors of the drafts of all people with an estimate, CIEDE2000.
 std::vector<double> errorsOf(const EditStack& edits, double discrepancyShare) {
   const SkinSamples samples = people(discrepancyShare);
   const auto exact = renderSamples(samples, edits, axes(), daylight());

@@ -178,7 +178,6 @@ class ColorimetryTest : public QObject {
     QVERIFY(std::isnan(encodeSrgb(nan)) && std::isnan(decodeSrgb(nan)));
     QVERIFY(std::isnan(labFromXyz({nan, 1, 1}, kD65)[1]));
     QVERIFY(std::isnan(deltaE2000({nan, 0, 0}, {50, 0, 0})));
-    QVERIFY(std::isnan(deltaE76({50, nan, 0}, {50, 0, 0})));
   }
 };
 

@@ -83,15 +83,12 @@ class DeltaETest : public QObject {
       const double there = deltaE2000(a, b);
       QVERIFY(there > 0.0 && std::isfinite(there));
       EXPECT_NEAR(deltaE2000(b, a), there, 1e-10);
-      EXPECT_NEAR(deltaE76(a, b), deltaE76(b, a), 0.0);
     }
   }
 
-  // Near L* 50 and no chroma both formulas measure the same thing.
+  // Near L* 50 and without chroma it is the distance in CIELAB.
   void lightnessAloneAtTheMiddle() {
     EXPECT_NEAR(deltaE2000({49.5, 0, 0}, {50.5, 0, 0}), 1.0, 1e-12);
-    EXPECT_NEAR(deltaE76({49.5, 0, 0}, {50.5, 0, 0}), 1.0, 1e-12);
-    EXPECT_NEAR(deltaE76({50, 3, 0}, {50, 0, 4}), 5.0, 1e-12);
   }
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kInput = 3;
 constexpr int kResource = 4;
-// Of the system's own loader, before there is a program.
+// The status of the system's own loader, before there is a program.
 constexpr int kNotLoaded = 127;
 
 QByteArray bigEndian(quint32 number) {
@@ -50,8 +50,8 @@ QByteArray zipped(const QByteArray& bytes) {
   return qCompress(bytes).mid(4);
 }
 
-// Of skin's colour, with a profile that says that its colours meet under D65, which libpng warns
-// of.
+// A picture of skin's colour with a profile that says that its colours meet under D65, which libpng
+// warns of.
 QByteArray pngWithOddProfile() {
   std::string profile = matrixProfile(2, kRec709.chromaticities, curveTag({563}), "a monitor");
   std::string white;

@@ -339,7 +339,7 @@ class FilePreviewTest : public QObject {
     QVERIFY(std::none_of(last.begin(), last.end(), [](float value) { return std::isnan(value); }));
   }
 
-  // Of large files some rows are read, and what lies between them is filled in.
+  // Some rows of large files are read, and what lies between them is filled in.
   void aLargeFileIsReadSparsely() {
     const auto path = folder_.path("large.exr");
     write(path, "openexr", with(specOf(3, OIIO::TypeHalf), "compression", "zip"));

@@ -104,7 +104,7 @@ class StoredColorsTest : public QObject {
  private slots:
   // L*, a* and b* by the equations, 8 and 16 bits, both ways of storing them.
   void cieLabIsConverted() {
-    // Of sRGB (200, 150, 120) and of white, CIE 15:2018 under D50.
+    // The values of sRGB (200, 150, 120) and of white, CIE 15:2018 under D50.
     const Eigen::Matrix3d toD50 =
         adaptationMatrix(ChromaticAdaptation::bradford, kRec709.xyzOfWhite(), test::iccD50()) *
         xyzFromRgb(kRec709);

@@ -42,7 +42,7 @@ std::vector<Kind> allOf(const Drawing& drawing) {
   return found;
 }
 
-// Of the curve alone: its colour and width are no other's.
+// The pieces of the curve alone: its colour and width are no other's.
 std::vector<Polyline> curvePieces(const Panel& panel) {
   std::vector<Polyline> pieces;
   for (const Polyline& line : allOf<Polyline>(drawingOf(panel, 400.0, 300.0))) {

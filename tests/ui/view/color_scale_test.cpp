@@ -20,13 +20,26 @@ namespace {
 // this many entries.
 constexpr int kStride = 15;
 
-OkLab entry(const ColorScale& scale, int index) {
-  return toOkLab(scale.table()[static_cast<std::size_t>(index)]);
-}
-
 double linear(int code) {
   const double v = code / 255.0;
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+// The way back of toSrgb(), for a table that holds eight bits.
+OkLab toOkLab(QRgb color) {
+  const double r = linear(qRed(color));
+  const double g = linear(qGreen(color));
+  const double b = linear(qBlue(color));
+  const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+  const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+  const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+  return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+          1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+          0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
+}
+
+OkLab entry(const ColorScale& scale, int index) {
+  return toOkLab(scale.table()[static_cast<std::size_t>(index)]);
 }
 
 int encoded(double v) {
