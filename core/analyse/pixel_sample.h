@@ -1,4 +1,4 @@
-#pragma once  // internal to core/analyse
+#pragma once
 
 // A regular sample of the pixels of a picture that can be solved, and how well a model explains
 // them.

@@ -248,7 +248,7 @@ void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle
     CUTIS_TRY(options, fitOptions(choice, model->profile()));
     scene.source = atChosenExposure(scene.source, choice);
     return fitSource(model, scene.source, {options, !choice.exposure}, engine_, store_, context,
-                     observerOf(scene, job));
+                     observerOf(scene, options, job));
   }();
   if (fitted.failed()) {
     job.post([this, sentence = sentenceOf(fitted.error())] {
@@ -263,13 +263,17 @@ void Document::fit(const FitChoice& choice, Scene scene, const JobRunner::Handle
   }
 }
 
-SourceFitObserver Document::observerOf(const Scene& scene, const JobRunner::Handle& job) {
+SourceFitObserver Document::observerOf(const Scene& scene, const FitOptions& options,
+                                       const JobRunner::Handle& job) {
   SourceFitObserver observer;
-  observer.begun = [this, scene, post = job.post](const std::shared_ptr<const Source>& source,
-                                                  const ChromophoreMaps& maps) {
+  observer.begun = [this, scene, options, post = job.post](
+                       const std::shared_ptr<const Source>& source,
+                       const std::shared_ptr<const PixelSolver>& solver,
+                       const ChromophoreMaps& maps) {
     Scene begun = scene;
     begun.source = source;
     begun.maps = maps;
+    begun.evidence = std::make_shared<FitEvidence>(scene.model, source, options, solver);
     post([this, begun] { show(begun); });
   };
   observer.changed = [this, post = job.post] {

@@ -264,7 +264,8 @@ class Document : public QObject {
   void cancelFit();
   // On the thread of the job.
   void fit(const FitChoice& choice, Scene scene, const JobRunner::Handle& job);
-  SourceFitObserver observerOf(const Scene& scene, const JobRunner::Handle& job);
+  SourceFitObserver observerOf(const Scene& scene, const FitOptions& options,
+                               const JobRunner::Handle& job);
   void show(const Scene& fitted);
   void completeFit(const FitStatistics& statistics, const std::optional<ExposureChoice>& exposure,
                    const std::shared_ptr<const SkinValues>& skin,

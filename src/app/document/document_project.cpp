@@ -61,6 +61,8 @@ Result<Document::Opened> Document::openedProject(const Project& project, const f
     opened.scene.maps =
         source.maps ? *source.maps : FitPlanes(source.source->measurements, {}, store_).maps;
     if (opened.isFitted) {
+      CUTIS_TRY(options, fitOptions(read.fit, source.model->profile()));
+      opened.scene.evidence = std::make_shared<FitEvidence>(source.model, source.source, options);
       CUTIS_TRY(pixels, judgePixels(opened.scene.maps, context));
       opened.skin = skinOf(pixels, *source.model);
     }

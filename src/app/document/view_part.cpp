@@ -18,7 +18,7 @@ constexpr int kBandTexels = 1 << 16;
 
 Result<PictureBuffer> everyTexel(const Scene& scene, const ResponseModel* response, ViewKind view,
                                  const Rect& rect) {
-  if (view == ViewKind::photograph) return photographPart(*scene.source, rect, 1);
+  if (isPhotograph(view)) return photographPart(*scene.source, rect, 1, lightOf(view).value_or(0));
   if (view != ViewKind::editedAlbedo) return renderPart(scene, *response, rect, 1);
   CUTIS_TRY(photograph, photographPart(*scene.source, rect, 1));
   return editAlbedoPart(std::move(photograph), scene, *response, false, rect, 1);
@@ -26,35 +26,12 @@ Result<PictureBuffer> everyTexel(const Scene& scene, const ResponseModel* respon
 
 }  // namespace
 
-bool canBeAveraged(ViewKind view) {
-  return !parameterOf(view).has_value();
-}
-
-std::optional<Parameter> parameterOf(ViewKind view) {
-  static_assert(kParameterCount == 5,
-                "a sixth has its ViewKind here and its row in ui/view/view_catalogue.cpp");
-  switch (view) {
-    case ViewKind::melanin:
-      return kMelanin;
-    case ViewKind::melaninBlend:
-      return kMelaninBlend;
-    case ViewKind::haemoglobinDermal:
-      return kHaemoglobinDermal;
-    case ViewKind::haemoglobinEpidermal:
-      return kHaemoglobinEpidermal;
-    case ViewKind::carotene:
-      return kCarotene;
-    default:
-      return std::nullopt;
-  }
-}
-
 Result<ViewPart> renderAveraged(const Scene& scene, Engine& engine, const PictureRequest& picture,
                                 const ViewRequest& request, const JobContext& context) {
   ViewPart part;
   part.request = request;
   part.request.rect = intersection(request.rect, scene.maps.state.bounds());
-  CUTIS_TRY(response, responseFor(request.view, scene, engine, picture, context));
+  CUTIS_TRY(response, responseFor(request, scene, engine, picture, context));
   const Rect& rect = part.request.rect;
   if (rect.empty()) return part;
   const int step = request.step;

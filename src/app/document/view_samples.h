@@ -18,9 +18,9 @@
 
 namespace cutis {
 
-// The response that a view needs; null for the maps and the photograph.
-Result<std::shared_ptr<const ResponseModel>> responseFor(ViewKind view, const Scene& scene,
-                                                         Engine& engine,
+// The response that a view needs; null for maps, photographs and what a fit says of its values.
+Result<std::shared_ptr<const ResponseModel>> responseFor(const ViewRequest& request,
+                                                         const Scene& scene, Engine& engine,
                                                          const PictureRequest& picture,
                                                          const JobContext& context);
 
@@ -45,7 +45,9 @@ class ViewSamples {
                                   const JobContext& context);
 
   const ViewRequest& request() const { return request_; }
-  // For other views; null for the photograph.
+  // Of what was fitted, whatever the edits are; see ViewPart.
+  std::vector<PixelMarks> marks() const;
+  // For other views; null for photographs without marks.
   const std::shared_ptr<const ViewSkin>& skin() const { return skin_; }
   // Every n-th sample of every n-th row. Precondition: n divides the rows of a band, 32.
   Result<ViewSamples> thinned(int n, const JobContext& context) const;
@@ -56,13 +58,15 @@ class ViewSamples {
 
  private:
   struct Band {
-    SkinSamples skin;  // of the photograph's view: none
-    PictureBuffer photograph;
+    SkinSamples skin;  // of a photograph: none
+    // A photograph, or what else no edit changes.
+    PictureBuffer picture;
+    std::vector<PixelMarks> marks = {};
   };
 
   static Result<std::shared_ptr<const ViewSkin>> readSkin(const Scene& scene, const Rect& rect,
                                                           int step, const JobContext& context);
-  Result<Band> loadBand(const Scene& scene, std::size_t i) const;
+  Result<Band> loadBand(const Scene& scene, const FitEvidence::Tools* tools, std::size_t i) const;
   Result<PictureBuffer> renderBand(const Band& band, const EditStack& edits,
                                    ViewAccuracy accuracy) const;
 

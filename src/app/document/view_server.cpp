@@ -10,7 +10,7 @@ constexpr int kCoarserWhileMoving = 2;
 constexpr int kRestMs = 30;
 
 bool showsMaps(ViewKind view) {
-  return view != ViewKind::photograph;
+  return !isPhotograph(view);
 }
 
 }  // namespace
@@ -220,6 +220,7 @@ Result<ViewServer::Made> ViewServer::make(const Task& task, Made known, const Sc
     known.part = nullptr;
     if (!task.hasMeans) return known;
     CUTIS_TRY(part, renderAveraged(scene, engine_, picture, task.request, context));
+    if (known.samples != nullptr) part.marks = known.samples->marks();
     known.part = std::make_shared<const ViewPart>(std::move(part));
     return known;
   }

@@ -41,18 +41,19 @@ std::shared_ptr<const Source> atExposure(const Source& source, double exposure) 
 }
 
 // Fills the planes, after a first impression where somebody watches.
-Result<FitStatistics> fill(const FittedSource& fitted, const PixelSolver& solver,
+Result<FitStatistics> fill(const FittedSource& fitted,
+                           const std::shared_ptr<const PixelSolver>& solver,
                            const JobContext& context, const SourceFitObserver& observer) {
   const Measurements& measurements = fitted.source->measurements;
   if (observer.begun) {
-    CUTIS_CHECK(runCoarseFit(measurements, solver, fitted.planes.maps,
+    CUTIS_CHECK(runCoarseFit(measurements, *solver, fitted.planes.maps,
                              context.child(kExposed, kShown, "first impression")));
-    observer.begun(fitted.source, fitted.planes.maps);
+    observer.begun(fitted.source, solver, fitted.planes.maps);
   }
   FitObserver progress;
   if (observer.changed) progress.finished = [&observer](const Rect&) { observer.changed(); };
   progress.view = observer.view;
-  return runFit(measurements, solver, fitted.planes, context.child(kShown, 1.0), progress);
+  return runFit(measurements, *solver, fitted.planes, context.child(kShown, 1.0), progress);
 }
 
 // What the fit found, looked at as a whole.
@@ -108,7 +109,7 @@ Result<FittedSource> fitSource(const std::shared_ptr<const SkinModel>& model,
   fitted.seconds.prepare = lap.seconds();
   fitted.planes = FitPlanes(fitted.source->measurements, options.fit, store);
   fitted.planes.maps.addCoefficients(options.fit.surface, solver->coefficientCount(), store);
-  CUTIS_TRY(statistics, fill(fitted, *solver, context, observer));
+  CUTIS_TRY(statistics, fill(fitted, solver, context, observer));
   fitted.statistics = statistics;
   CUTIS_CHECK(analyse(options.fit, *solver, context, fitted));
   if (auto remark = remarkOnDiscrepancy(model->profile(), source->measurements, options.fit))

@@ -31,9 +31,10 @@ struct SourceFitOptions {
 };
 
 struct SourceFitObserver {
-  // The source as it is fitted, and new maps that hold a first impression, which fill from now on.
-  // From the thread that fits. Empty: there is no first impression.
-  std::function<void(const std::shared_ptr<const Source>& source, const ChromophoreMaps& maps)>
+  // The source as it is fitted, what fits it, and new maps that hold a first impression, which fill
+  // from now on. From the thread that fits. Empty: there is no first impression.
+  std::function<void(const std::shared_ptr<const Source>& source,
+                     const std::shared_ptr<const PixelSolver>& solver, const ChromophoreMaps& maps)>
       begun;
   // More of the maps is final. From any thread; may be empty.
   std::function<void()> changed;
