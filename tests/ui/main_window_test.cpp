@@ -47,9 +47,9 @@ class MainWindowTest : public test::UiTest {
     QVERIFY(statistics.pixels.solved > statistics.pixels.total / 2);
     QVERIFY(statistics.pixels.noConvergence < statistics.pixels.total / 1000);
     QVERIFY(window_->windowTitle().contains("Sample"));
-    // Every view has been drawn.
+    // Twenty views in five groups.
     auto* strip = window_->findChild<ViewStrip*>();
-    QCOMPARE(strip->count(), 10);
+    QCOMPARE(strip->count(), 25);
   }
 
   // The read-out and the spectrum follow the cursor.

@@ -57,11 +57,27 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
     if (document_->isOpen()) document_->setView(projectViewOf(*this));
   });
   connectSource();
-  giveContextMenu(
-      *viewport_, commands,
-      {"view.wholePicture", "view.oneToOne", "view.zoomIn", "view.zoomOut", "", "view.photograph",
-       "view.albedo", "view.skin", "", "view.logarithmic", "view.automaticRange", "",
-       "edit.copyEdits", "edit.pasteEdits", "", "file.export"});
+  giveContextMenu(*viewport_, commands,
+                  {"view.wholePicture",
+                   "view.oneToOne",
+                   "view.zoomIn",
+                   "view.zoomOut",
+                   "",
+                   "view.photograph",
+                   "view.albedo",
+                   "view.skin",
+                   "",
+                   "view.logarithmic",
+                   "view.automaticRange",
+                   "",
+                   "hatch.notSkin",
+                   "hatch.atBound",
+                   "hatch.assumed",
+                   "",
+                   "edit.copyEdits",
+                   "edit.pasteEdits",
+                   "",
+                   "file.export"});
 }
 
 DocumentPage::~DocumentPage() {

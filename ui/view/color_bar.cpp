@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include <QFontMetricsF>
 #include <QImage>
@@ -9,6 +10,7 @@
 #include <QPolygonF>
 
 #include "ui/theme/theme.h"
+#include "ui/view/hatching.h"
 #include "ui/view/range_texts.h"
 
 namespace cutis {
@@ -52,6 +54,9 @@ struct Layout {
   QRectF spread() const { return row(title().bottom() + theme::kHalfSpace, heights); }
   QRectF bar() const { return row(spread().bottom(), barHeight); }
   QRectF numbers() const { return row(bar().bottom() + kTickLength + 2, line); }
+  QRectF legend(int index) const {
+    return row(numbers().bottom() + theme::kHalfSpace + index * (line + 2), line);
+  }
 };
 
 Layout layoutOf(const QFont& font, const QSizeF& picture, const ColorBarSpec& spec) {
@@ -66,7 +71,9 @@ Layout layoutOf(const QFont& font, const QSizeF& picture, const ColorBarSpec& sp
                                    theme::kDoubleSpace + metrics.horizontalAdvance(spec.unit));
   layout.size.setWidth(words + 2 * layout.padding);
   if (!spec.heights.empty()) layout.heights = kHeightsHeight;
-  layout.size.setHeight(layout.numbers().bottom() + layout.padding);
+  const int marks = std::popcount(spec.marks);
+  const QRectF last = marks > 0 ? layout.legend(marks - 1) : layout.numbers();
+  layout.size.setHeight(last.bottom() + layout.padding);
   const qreal room = kLargestShare * picture.width() * picture.height();
   const bool hasRoom = layout.size.width() * layout.size.height() <= room;
   if (hasRoom && layout.size.width() <= picture.width()) return layout;
@@ -110,6 +117,20 @@ void drawNumbers(QPainter& painter, const Layout& layout, const ColorBarSpec& sp
       painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + kTickLength - 1));
     painter.drawText(layout.numbers(), static_cast<int>(sides[i] | Qt::AlignVCenter),
                      texts[static_cast<std::size_t>(i)]);
+  }
+}
+
+void drawLegend(QPainter& painter, const Layout& layout, const ColorBarSpec& spec) {
+  int index = 0;
+  for (const PixelMark mark : kPixelMarks) {
+    if ((spec.marks & mark) == 0) continue;
+    const QRectF line = layout.legend(index++);
+    const QRectF swatch(line.left(), line.top() + 1, 2 * line.height(), line.height() - 2);
+    painter.fillRect(swatch, QColor(0x60, 0x60, 0x60));
+    drawHatchSample(painter, swatch, mark);
+    painter.setPen(theme::tones().text);
+    painter.drawText(line.adjusted(swatch.width() + theme::kSpace, 0, 0, 0),
+                     Qt::AlignLeft | Qt::AlignVCenter, markText(mark));
   }
 }
 
@@ -169,6 +190,7 @@ QRectF drawColorBar(QPainter& painter, const QFont& font, const QPointF& lowerLe
   if (spec.isKnown) painter.drawImage(layout.bar(), imageOf(spec));
   if (spec.isKnown && spec.axis) drawHandles(painter, layout, spec);
   drawNumbers(painter, layout, spec);
+  if (layout.isWhole) drawLegend(painter, layout, spec);
   painter.restore();
   return {corner, layout.size};
 }

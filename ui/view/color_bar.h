@@ -10,6 +10,7 @@
 #include <QRectF>
 #include <QString>
 
+#include "src/app/document/pixel_marks.h"
 #include "ui/view/color_scale.h"
 #include "ui/view/display_range.h"
 
@@ -29,6 +30,7 @@ struct ColorBarSpec {
   // spread there (heightsAlong()). Without it the bar is the range.
   std::optional<DisplayRange> axis = {};
   std::vector<float> heights = {};
+  PixelMarks marks = 0;  // that are hatched over the picture, explained below the numbers
 
   bool operator==(const ColorBarSpec&) const = default;
 };

@@ -15,21 +15,26 @@ namespace cutis {
 
 struct ViewDescription {
   ViewKind kind = ViewKind::photograph;
-  QString id;    // "melanin": in scripts and settings
-  QString name;  // "Melanin"
+  QString id;     // "melanin": in scripts and settings
+  QString name;   // "Melanin"
+  QString group;  // "Maps": what stands together in the strip and in the menu
+  QString shortcut;
+  bool isUsual = false;  // every document with photographs has it
   QString toolTip;
   // False colour, for views of one channel; colour pictures have none.
   std::optional<ScaleKind> scale;
-  QString unit;              // of the values, with a scale
-  bool needsSource = false;  // cannot be shown of maps alone
+  QString unit;  // of the values, with a scale
 };
 
 // In the order of the views strip.
 const std::vector<ViewDescription>& viewCatalogue();
 
 const ViewDescription& describe(ViewKind kind);
-// What a view of this document is called: of a texture, nothing is a photograph.
+// What a view of this document is called: of a texture, nothing is a photograph; those under the
+// lights of a rig have their names.
 QString viewName(ViewKind kind, const Document& document);
 std::optional<ViewKind> viewById(const QString& id);
+// Why the view is not there; empty where the scene can be shown so.
+QString viewObjection(ViewKind kind, const Scene& scene);
 
 }  // namespace cutis

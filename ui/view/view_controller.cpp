@@ -15,12 +15,6 @@ constexpr int kThumbnailSize = 160;
 constexpr int kOverviewSize = 512;
 constexpr int kHeights = 60;  // columns of the spread of values
 
-// The whole picture with at most `size` samples a side.
-ViewRequest wholePicture(ViewKind view, const Scene& scene, int size) {
-  const int longer = std::max(scene.width(), scene.height());
-  return {view, {0, 0, scene.width(), scene.height()}, std::max(1, (longer + size - 1) / size)};
-}
-
 bool isWithoutEstimate(const ViewPart& part) {
   const auto& present = part.pixels.present;
   return std::none_of(present.begin(), present.end(), [](auto is) { return bool{is != 0}; });
@@ -28,6 +22,7 @@ bool isWithoutEstimate(const ViewPart& part) {
 
 // A map shows one parameter, bands show what all of them make.
 bool changesView(const EditStack& edits, ViewKind view) {
+  if (isPhotograph(view) || isJudgement(view) || constantOf(view)) return false;
   const auto parameter = parameterOf(view);
   if (!parameter) return !isNeutral(edits);
   return std::any_of(edits.begin(), edits.end(), [&](const Edit& edit) {
@@ -58,6 +53,7 @@ ViewController::ViewController(Document& document, ViewServer& server, Viewport&
   connect(&document, &Document::previewEnded, this, &ViewController::endPreview);
   connect(&document, &Document::sceneReplaced, this, [this] {
     ranges_.clear();
+    refillStrip();
     showColorBar();
   });
   connect(&viewport, &Viewport::rangeMoved, this, [this](const DisplayRange& range) {
@@ -68,6 +64,8 @@ ViewController::ViewController(Document& document, ViewServer& server, Viewport&
   connect(&document, &Document::fitChoiceChanged, this, &ViewController::showColorBar);
   connect(&document, &Document::fitted, this, &ViewController::takeSkinValues);
   connect(&document, &Document::editsChanged, this, &ViewController::showColorBar);
+  connect(&viewport.bandScrubber(), &BandScrubber::wavelengthChosen, this,
+          &ViewController::showBand);
   connect(&viewport, &Viewport::viewChanged, this, &ViewController::wantDetail);
 }
 
@@ -100,6 +98,7 @@ void ViewController::endPreview() {
 
 void ViewController::open() {
   const Scene& scene = document_.scene();
+  if (strip_ != nullptr) strip_->setViews({});
   detail_ = nullptr;
   overview_ = nullptr;
   thumbnails_.clear();
@@ -122,22 +121,36 @@ void ViewController::fillStrip() {
   thumbnailWatches_.clear();
   if (strip_ == nullptr) return;
   QVector<ViewEntry> entries;
-  for (const ViewDescription& view : viewCatalogue()) {
-    if (!isOffered(view.kind)) continue;
-    entries.push_back({view.id, viewName(view.kind, document_), view.toolTip});
+  offered_ = offeredViews();
+  for (const ViewKind kind : offered_) {
+    const ViewDescription& view = describe(kind);
+    entries.push_back({view.id, viewName(view.kind, document_), view.toolTip, view.group});
     thumbnailWatches_[view.kind] =
         server_.watch(ViewPriority::thumbnail, [this](const Part& part) { takeThumbnail(part); });
   }
   watchThumbnails();
-  strip_->setViews({});
   strip_->setViews(entries);
   strip_->setCurrent(describe(current_).id);
+}
+
+// Another fit may know more of its pixels, or less.
+void ViewController::refillStrip() {
+  if (!isOffered(current_)) show(ViewKind::melanin);
+  if (offered_ != offeredViews()) fillStrip();
+}
+
+std::vector<ViewKind> ViewController::offeredViews() const {
+  std::vector<ViewKind> views;
+  for (const ViewDescription& view : viewCatalogue()) {
+    if (isOffered(view.kind)) views.push_back(view.kind);
+  }
+  return views;
 }
 
 void ViewController::watchThumbnails() {
   for (const auto& [kind, watch] : thumbnailWatches_) {
     watch->setSeen(stripSeen_ || (kind == current_ && describe(kind).scale));
-    watch->want(wholePicture(kind, document_.scene(), kThumbnailSize));
+    watch->want(wholePicture(kind, kThumbnailSize));
   }
 }
 
@@ -147,7 +160,7 @@ void ViewController::setStripSeen(bool seen) {
 }
 
 bool ViewController::isOffered(ViewKind view) const {
-  return document_.isOpen() && (document_.scene().source || !describe(view).needsSource);
+  return document_.isOpen() && canShow(document_.scene(), view);
 }
 
 void ViewController::show(ViewKind view) {
@@ -161,15 +174,43 @@ void ViewController::show(ViewKind view) {
   Q_EMIT currentChanged();
 }
 
+ViewRequest ViewController::wholePicture(ViewKind view, int size) const {
+  const Scene& scene = document_.scene();
+  const int longer = std::max(scene.width(), scene.height());
+  return {view,
+          {0, 0, scene.width(), scene.height()},
+          std::max(1, (longer + size - 1) / size),
+          0,
+          viewport_.bandScrubber().wavelengthNm()};
+}
+
+PixelMarks ViewController::wantedMarks() const {
+  return describe(current_).scale ? marks_ : PixelMarks{0};
+}
+
+void ViewController::setMarked(PixelMark mark, bool on) {
+  marks_ = static_cast<PixelMarks>(on ? marks_ | mark : marks_ & ~mark);
+  wantDetail();
+  showColorBar();
+}
+
 void ViewController::wantDetail() {
   if (!document_.isOpen()) return;
   document_.lookAt(viewport_.visibleRect());
-  detailWatch_->want({current_, viewport_.visibleRect(), viewport_.samplingStep()});
+  detailWatch_->want({current_, viewport_.visibleRect(), viewport_.samplingStep(), wantedMarks(),
+                      viewport_.bandScrubber().wavelengthNm()});
 }
 
 void ViewController::wantOverview() {
   if (!document_.isOpen()) return;
-  overviewWatch_->want(wholePicture(current_, document_.scene(), kOverviewSize));
+  overviewWatch_->want(wholePicture(current_, kOverviewSize));
+}
+
+void ViewController::showBand() {
+  if (current_ != ViewKind::band) return;
+  wantDetail();
+  wantOverview();
+  watchThumbnails();
 }
 
 void ViewController::takeThumbnail(const Part& part) {
@@ -250,6 +291,7 @@ void ViewController::showRange() {
 void ViewController::showDetail() {
   if (!detail_ || detail_->request.view != current_) return;
   viewport_.setDetail(imageOf(*detail_), detail_->request.rect, detail_->request.step);
+  viewport_.setMarks({detail_->marks, detail_->request.rect, detail_->request.step});
 }
 
 void ViewController::showOverview() {
@@ -262,7 +304,7 @@ void ViewController::showOverview() {
 }
 
 bool ViewController::awaitsEstimate(ViewKind view) const {
-  const bool showsSource = view == ViewKind::photograph || view == ViewKind::editedAlbedo;
+  const bool showsSource = isPhotograph(view) || view == ViewKind::editedAlbedo;
   return document_.isOpen() && !document_.hasEstimate() && !showsSource;
 }
 
@@ -270,6 +312,7 @@ void ViewController::showColorBar() {
   if (!document_.isOpen()) return;
   const ViewDescription& view = describe(current_);
   const bool awaits = awaitsEstimate(current_);
+  viewport_.bandScrubber().setWanted(current_ == ViewKind::band && !awaits);
   viewport_.setNotice(awaits ? tr("Not fitted yet") : QString());
   if (!view.scale || awaits) return viewport_.setColorBar(std::nullopt);
   ColorBarSpec spec = {view.name, view.unit, {}, *view.scale, stateText(), false};
@@ -281,6 +324,7 @@ void ViewController::showColorBar() {
       spec.heights = heightsAlong(*spec.axis, *values, kHeights);
     }
   }
+  if (document_.scene().evidence != nullptr) spec.marks = marks_;
   viewport_.setColorBar(spec);
 }
 

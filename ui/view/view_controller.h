@@ -51,6 +51,10 @@ class ViewController : public QObject {
   bool isLogarithmic() const { return logarithmic_.contains(current_); }
   void setLogarithmic(bool isLogarithmic);
 
+  // What is hatched over views in false colours.
+  bool isMarked(PixelMark mark) const { return (marks_ & mark) != 0; }
+  void setMarked(PixelMark mark, bool on);
+
   // Of what is open the whole picture as it was first seen, small; null until it is.
   const QImage& firstPicture() const { return firstPicture_; }
 
@@ -69,6 +73,12 @@ class ViewController : public QObject {
   void endPreview();
   bool awaitsEstimate(ViewKind view) const;
   void fillStrip();
+  // The whole picture with at most `size` samples a side.
+  ViewRequest wholePicture(ViewKind view, int size) const;
+  PixelMarks wantedMarks() const;
+  void refillStrip();
+  std::vector<ViewKind> offeredViews() const;
+  void showBand();
   void watchThumbnails();
   void wantDetail();
   void wantOverview();
@@ -93,11 +103,13 @@ class ViewController : public QObject {
   Viewport& viewport_;
   ViewStrip* strip_ = nullptr;
   ViewKind current_ = ViewKind::photograph;
+  std::vector<ViewKind> offered_;  // in the strip
   // Ranges of the unedited maps, so that an edit is seen as a change of colour; of the edited ones
   // where there are no others yet.
   std::map<ViewKind, DisplayRange> ranges_;
   std::map<ViewKind, DisplayRange> fixed_;  // that the user has drawn
   std::set<ViewKind> logarithmic_;
+  PixelMarks marks_ = 0;
   Part detail_;
   Part overview_;
   std::map<ViewKind, Part> thumbnails_;

@@ -20,22 +20,33 @@ void drawPlaceholder(QPainter& painter, const QRectF& plate) {
   painter.setClipping(false);
 }
 
+void drawHeading(QPainter& painter, const QRect& cell, const QFont& font,
+                 const QModelIndex& index) {
+  painter.save();
+  painter.setFont(font);
+  painter.setPen(theme::tones().dimText);
+  painter.drawText(cell.adjusted(kFrame, 0, 0, -1), Qt::AlignLeft | Qt::AlignBottom,
+                   index.data().toString());
+  painter.restore();
+}
+
 }  // namespace
 
-QSize ViewDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-  return {kThumbnailSize.width() + 2 * kFrame,
-          kThumbnailSize.height() + 2 * kFrame + option.fontMetrics.height() + theme::kSpace};
+QSize ViewDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
+  if (index.data(kHeadingRole).toBool())
+    return {0, option.fontMetrics.height() + theme::kHalfSpace};
+  return {kThumbnailSize.width() + 2 * kFrame, kThumbnailSize.height() + 2 * kFrame};
 }
 
 void ViewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                          const QModelIndex& index) const {
+  const QFont font = option.widget ? theme::smallFont(*option.widget) : option.font;
+  if (index.data(kHeadingRole).toBool()) return drawHeading(*painter, option.rect, font, index);
   const theme::Tones& tones = theme::tones();
   const bool chosen = option.state & QStyle::State_Selected;
   const bool hovered = option.state & QStyle::State_MouseOver;
   const QRect cell = option.rect;
-  const QRectF plate(
-      QPointF(cell.center().x() + 0.5 - kThumbnailSize.width() / 2.0, cell.top() + kFrame),
-      QSizeF(kThumbnailSize));
+  const QRectF plate(QPointF(cell.left() + kFrame, cell.top() + kFrame), QSizeF(kThumbnailSize));
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   painter->fillRect(plate, tones.field);
@@ -56,14 +67,12 @@ void ViewDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->setPen(QPen(chosen ? tones.accent : tones.line, chosen ? 2 : 1));
     painter->drawRect(plate.adjusted(-1, -1, 1, 1));
   }
-  const QFont font = option.widget ? theme::smallFont(*option.widget) : option.font;
-  const QRectF name(cell.left(), plate.bottom() + kFrame + 1, cell.width(),
-                    option.fontMetrics.height() + 2);
+  const QRectF name(plate.right() + kFrame + theme::kHalfSpace, cell.top(),
+                    cell.right() - plate.right() - kFrame - theme::kHalfSpace, cell.height());
   painter->setFont(font);
   painter->setPen(chosen || hovered ? tones.text : tones.dimText);
-  painter->drawText(
-      name, Qt::AlignCenter,
-      QFontMetrics(font).elidedText(index.data().toString(), Qt::ElideRight, cell.width()));
+  painter->drawText(name, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                    index.data().toString());
   if (option.state & QStyle::State_HasFocus && option.state & QStyle::State_KeyboardFocusChange) {
     theme::drawFocusRing(*painter, QRectF(cell));
   }

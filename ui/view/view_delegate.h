@@ -1,7 +1,7 @@
 #pragma once  // internal to ui/view
 
-// Draws one view of the strip: thumbnail above name. Until a thumbnail has come, a neutral plate
-// with a fold of lines stands in, which cannot be taken for a picture.
+// Draws one view of the strip: thumbnail beside name, or the heading of a group. Until a thumbnail
+// has come, a neutral plate with a fold of lines stands in, which cannot be taken for a picture.
 
 #include <QStyledItemDelegate>
 
@@ -12,9 +12,10 @@ class ViewDelegate : public QStyledItemDelegate {
   // Roles beside Qt::DisplayRole, the name.
   static constexpr int kIdRole = Qt::UserRole;
   static constexpr int kThumbnailRole = Qt::UserRole + 1;  // QImage
+  static constexpr int kHeadingRole = Qt::UserRole + 2;    // true: no view
 
   // The size of a thumbnail in device-independent pixels.
-  static constexpr QSize kThumbnailSize = {108, 72};
+  static constexpr QSize kThumbnailSize = {48, 32};
 
   using QStyledItemDelegate::QStyledItemDelegate;
 

@@ -26,7 +26,7 @@ ViewStrip::ViewStrip(QWidget* parent) : QListWidget(parent) {
   setVerticalScrollMode(ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMouseTracking(true);
-  setSpacing(2);
+  setSpacing(1);
   setViewportMargins(2, theme::kHalfSpace, 0, 0);
   // Darker than the plates would hide them.
   QPalette neutral = palette();
@@ -46,14 +46,23 @@ void ViewStrip::setViews(const QVector<ViewEntry>& views) {
         item(row)->data(ViewDelegate::kThumbnailRole);
   }
   QListWidget::clear();
+  QString group;
   for (const ViewEntry& view : views) {
+    if (view.group != group) addHeading(view.group);
+    group = view.group;
     auto* added = new QListWidgetItem(view.name, this);
     added->setToolTip(view.toolTip);
     added->setData(ViewDelegate::kIdRole, view.id);
     added->setData(ViewDelegate::kThumbnailRole, thumbnails.value(view.id));
   }
   QListWidgetItem* found = itemOf(kept);
-  setCurrentItem(found ? found : item(0));
+  setCurrentItem(found ? found : views.isEmpty() ? nullptr : itemOf(views.front().id));
+}
+
+void ViewStrip::addHeading(const QString& group) {
+  auto* heading = new QListWidgetItem(group, this);
+  heading->setFlags(Qt::NoItemFlags);
+  heading->setData(ViewDelegate::kHeadingRole, true);
 }
 
 void ViewStrip::setThumbnail(const QString& id, const QImage& image) {

@@ -13,6 +13,7 @@ struct ViewEntry {
   QString id;  // unique in the strip
   QString name;
   QString toolTip;
+  QString group = {};  // a heading stands where another one begins; empty: none
 };
 
 class ViewStrip : public QListWidget {
@@ -40,6 +41,7 @@ class ViewStrip : public QListWidget {
 
  private:
   QListWidgetItem* itemOf(const QString& id) const;
+  void addHeading(const QString& group);
 };
 
 }  // namespace cutis

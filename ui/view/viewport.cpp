@@ -35,7 +35,8 @@ bool takesText(const QObject* widget) {
 
 }  // namespace
 
-Viewport::Viewport(QWidget* parent) : QWidget(parent), colorBar_(new ColorBarControl(this)) {
+Viewport::Viewport(QWidget* parent)
+    : QWidget(parent), colorBar_(new ColorBarControl(this)), bandScrubber_(new BandScrubber(this)) {
   setAccessibleName(tr("Picture"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -48,6 +49,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), colorBar_(new ColorBarCon
 
 void Viewport::setPictureSize(int width, int height) {
   images_ = {};
+  setMarks({});
   toldStep_ = 0;
   geometry_.setPicture({width, height});
   placeToShow_.reset();
@@ -77,6 +79,13 @@ const std::optional<ColorBarSpec>& Viewport::colorBar() const {
 void Viewport::setColorBar(const std::optional<ColorBarSpec>& spec) {
   if (spec == colorBar_->spec()) return;
   colorBar_->setSpec(spec);
+  placeControls();
+}
+
+void Viewport::setMarks(const MarkedSamples& marks) {
+  marks_ = marks;
+  hatching_ = {};
+  update();
 }
 
 void Viewport::setNotice(const QString& notice) {
@@ -140,16 +149,19 @@ std::optional<QPoint> Viewport::pixelAt(const QPointF& widget) const {
   return pixel;
 }
 
-void Viewport::placeColorBar() {
+void Viewport::placeControls() {
   const QSize size = geometry_.picture();
   const QRectF picture(toWidget({0.0, 0.0}), toWidget(QPointF(size.width(), size.height())));
   colorBar_->setPlace({double{theme::kDoubleSpace}, double(height() - theme::kDoubleSpace)},
                       picture.intersected(QRectF(rect())).size());
+  bandScrubber_->place(colorBar_->isVisibleTo(this) ? colorBar_->geometry().right() + 1 : 0,
+                       this->size());
 }
 
 void Viewport::viewMoved() {
   update();
-  placeColorBar();
+  hatching_ = {};
+  placeControls();
   const Rect visible = geometry_.visible();
   const int step = geometry_.step();
   if (visible != toldVisible_ || step != toldStep_) {
@@ -189,8 +201,19 @@ void Viewport::paintEvent(QPaintEvent*) {
   painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
   images_.draw(painter, geometry_);
   painter.restore();
+  drawHatching(painter);
   if (!notice_.isEmpty()) drawNotice(painter);
   if (showFocus_) theme::drawFocusRing(painter, QRectF(rect()));
+}
+
+void Viewport::drawHatching(QPainter& painter) {
+  if (marks_.marks.empty()) return;
+  const double ratio = devicePixelRatioF();
+  if (hatching_.isNull()) {
+    hatching_ = hatchLayer(marks_, geometry_, (QSizeF(size()) * ratio).toSize(), ratio);
+    hatching_.setDevicePixelRatio(ratio);
+  }
+  painter.drawImage(QPointF(0, 0), hatching_);
 }
 
 void Viewport::drawNotice(QPainter& painter) const {

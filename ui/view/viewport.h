@@ -16,7 +16,9 @@
 #include <QWidget>
 
 #include "core/base/rect.h"
+#include "ui/view/band_scrubber.h"
 #include "ui/view/color_bar.h"
+#include "ui/view/hatching.h"
 #include "ui/view/picture_images.h"
 #include "ui/view/view_geometry.h"
 
@@ -42,6 +44,12 @@ class Viewport : public QWidget {
   // A bar in the lower left corner; nothing hides it.
   const std::optional<ColorBarSpec>& colorBar() const;
   void setColorBar(const std::optional<ColorBarSpec>& spec);
+
+  // Hatched over the picture, in pixels of the screen.
+  void setMarks(const MarkedSamples& marks);
+  // Beside the bar, where it is wanted.
+  BandScrubber& bandScrubber() { return *bandScrubber_; }
+  const BandScrubber& bandScrubber() const { return *bandScrubber_; }
 
   // A few words in the middle of the picture, for what is not there to be seen yet; empty: none.
   void setNotice(const QString& notice);
@@ -105,15 +113,19 @@ class Viewport : public QWidget {
   void setSpaceHeld(bool held);
   std::optional<QPoint> pixelAt(const QPointF& widget) const;
   QPointF anchor() const;
-  void placeColorBar();
+  void placeControls();
   void viewMoved();
   void updateCursor();
   void updateShape();
   void drawNotice(QPainter& painter) const;
+  void drawHatching(QPainter& painter);
 
   ViewGeometry geometry_;
   PictureImages images_;
+  MarkedSamples marks_;
+  QImage hatching_;  // over the whole view; null: of another place or time
   ColorBarControl* colorBar_;
+  BandScrubber* bandScrubber_;
   QString notice_;
 
   Rect toldVisible_;

@@ -16,12 +16,11 @@
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/workspace.h"
-#include "ui/view/view_catalogue.h"
-#include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/window/job_display.h"
 #include "ui/window/preset_commands.h"
 #include "ui/window/private_data.h"
+#include "ui/window/view_commands.h"
 
 namespace cutis {
 namespace {
@@ -241,81 +240,6 @@ Rows zoomCommands(const Editor& editor) {
   };
 }
 
-QString unlessMap(const Editor& editor) {
-  if (!editor.document().isOpen()) return unlessOpen(editor.document());
-  return editor.page().views().canBeLogarithmic()
-             ? QString()
-             : tr("Only a map that has been fitted has a range of its own; choose one on the left");
-}
-
-// Of the false colours of the map in front.
-Rows rangeCommands(const Editor& editor) {
-  return {
-      {.id = "view.logarithmic",
-       .menu = Menu::view,
-       .text = tr("&Logarithmic scale"),
-       .toolTip = tr("Small amounts are told apart as well as large ones"),
-       .shortcuts = {QKeySequence(tr("Ctrl+L"))},
-       .beginsSection = true,
-       .run =
-           [editor] {
-             ViewController& views = editor.page().views();
-             views.setLogarithmic(!views.isLogarithmic());
-           },
-       .objection = [editor] { return unlessMap(editor); },
-       .isOn =
-           [editor] {
-             return editor.document().isOpen() && editor.page().views().isLogarithmic();
-           }},
-      {.id = "view.automaticRange",
-       .menu = Menu::view,
-       .text = tr("&Automatic range"),
-       .toolTip =
-           tr("The colours of the map reach over what is skin, from the 1st to the 99th of a "
-              "hundred pixels"),
-       .shortcuts = {QKeySequence(tr("Ctrl+Shift+A"))},
-       .run = [editor] { editor.page().views().makeRangeAutomatic(); },
-       .objection = [editor] { return unlessMap(editor); },
-       .isOn =
-           [editor] {
-             return editor.document().isOpen() && editor.page().views().isRangeAutomatic();
-           }},
-  };
-}
-
-// One for each view of the catalogue, on Alt and a digit as long as there are digits.
-Rows viewCommands(const Editor& editor) {
-  Rows rows;
-  for (const ViewDescription& view : viewCatalogue()) {
-    const auto number = rows.size() + 1;
-    rows.push_back(
-        {.id = "view." + view.id,
-         .menu = Menu::view,
-         .text = view.name,
-         .toolTip = view.toolTip,
-         .beginsSection = rows.empty(),
-         .run = [editor, kind = view.kind] { editor.page().views().show(kind); },
-         .objection =
-             [editor, kind = view.kind] {
-               if (!editor.document().isOpen()) return unlessOpen(editor.document());
-               return editor.page().views().isOffered(kind)
-                          ? QString()
-                          : tr("Maps alone hold no photograph; open the photographs "
-                               "they were fitted to");
-             },
-         .textNow = [editor, kind = view.kind] { return viewName(kind, editor.document()); },
-         .isOn =
-             [editor, kind = view.kind] {
-               return editor.document().isOpen() && editor.page().views().current() == kind;
-             },
-         .exclusiveGroup = "views"});
-    if (number <= 10) {
-      rows.back().shortcuts = {QKeySequence(QString("Alt+%1").arg(number % 10))};
-    }
-  }
-  return rows;
-}
-
 Rows tabCommands(const Editor& editor) {
   const auto objection = [editor] {
     return editor.tabs.count() > 1 ? QString() : tr("There is no other document");
@@ -428,7 +352,7 @@ std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
   for (const auto& part :
        {openCommands, sourceCommands, fileCommands, editCommands, presetCommands, zoomCommands,
-        viewCommands, rangeCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
+        viewCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

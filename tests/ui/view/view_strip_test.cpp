@@ -58,13 +58,32 @@ class ViewStripTest : public test::UiTest {
     QCOMPARE(strip.current(), QString("photo"));
   }
 
+  // Groups have headings, which are no views.
+  void headingsAreNotChosen() {
+    ViewStrip strip;
+    strip.setViews({{"photo", "Photograph", {}, "Pictures"},
+                    {"skin", "Skin", {}, "Pictures"},
+                    {"melanin", "Melanin", {}, "Maps"}});
+    QCOMPARE(strip.count(), 5);
+    QCOMPARE(strip.current(), QString("photo"));
+    strip.resize(152, 500);
+    strip.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&strip));
+    QTest::keyClick(&strip, Qt::Key_Down);
+    QTest::keyClick(&strip, Qt::Key_Down);
+    QCOMPARE(strip.current(), QString("melanin"));
+    QTest::mouseClick(strip.viewport(), Qt::LeftButton, {},
+                      strip.visualItemRect(strip.item(0)).center());
+    QCOMPARE(strip.current(), QString("melanin"));
+  }
+
   void aThumbnailTakesThePlaceOfThePlate() {
     ViewStrip strip;
     strip.setViews(kViews);
     strip.resize(132, 500);
     strip.show();
     QVERIFY(QTest::qWaitForWindowExposed(&strip));
-    const QPoint middle = strip.visualItemRect(strip.item(1)).center() - QPoint(0, 20);
+    const QPoint middle = strip.visualItemRect(strip.item(1)).topLeft() + QPoint(27, 19);
     QImage image(2000, 1000, QImage::Format_RGB32);
     image.fill(qRgb(10, 200, 30));
     strip.setThumbnail("melanin", image);
