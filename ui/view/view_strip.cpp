@@ -92,7 +92,9 @@ void ViewStrip::mousePressEvent(QMouseEvent* event) {
 
 QListWidgetItem* ViewStrip::itemOf(const QString& id) const {
   for (int row = 0; row < count(); ++row) {
-    if (item(row)->data(ViewDelegate::kIdRole).toString() == id) return item(row);
+    // A heading has no id.
+    const QVariant own = item(row)->data(ViewDelegate::kIdRole);
+    if (own.isValid() && own.toString() == id) return item(row);
   }
   return nullptr;
 }

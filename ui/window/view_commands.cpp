@@ -119,13 +119,12 @@ CommandDescription hatchCommand(const Editor& editor, PixelMark mark, const QStr
 ViewRows hatchCommands(const Editor& editor) {
   return {
       hatchCommand(editor, kNotSkin, "notSkin", tr("&Not like skin"),
-                   tr("Pixels that no skin of the profile looks like"), tr("Ctrl+Alt+1")),
+                   tr("Pixels that no skin of the profile looks like"), tr("Ctrl+1")),
       hatchCommand(editor, kAtBound, "atBound", tr("At the &end of its range"),
-                   tr("Pixels whose value would lie beyond its range if it could"),
-                   tr("Ctrl+Alt+2")),
+                   tr("Pixels whose value would lie beyond its range if it could"), tr("Ctrl+2")),
       hatchCommand(editor, kMostlyPrior, "assumed", tr("&Assumed rather than measured"),
                    tr("Pixels whose uncertainty is above half of what it was before measuring"),
-                   tr("Ctrl+Alt+3")),
+                   tr("Ctrl+3")),
   };
 }
 
