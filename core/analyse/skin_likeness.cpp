@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/analyse/misfit.h"
-#include "core/analyse/pixel_sample.h"
 
 namespace cutis {
 namespace {
@@ -28,11 +27,8 @@ void judgeByNoise(const NoiseModel& noise, const PixelSolver& solver, const Pixe
 
 }  // namespace
 
-Result<JudgedPixels> judgePixels(const Measurements& measurements, const ChromophoreMaps& maps,
-                                 const PixelSolver& solver, const std::optional<NoiseModel>& noise,
-                                 const JobContext& context) {
-  CUTIS_TRY(sample, samplePixels(measurements, &maps, kLookedAt, context));
-  const Rig& rig = measurements.rig;
+JudgedPixels judgePixels(PixelSample sample, const Rig& rig, const PixelSolver& solver,
+                         const std::optional<NoiseModel>& noise) {
   JudgedPixels judged;
   if (sample.count > 0 && seesColors(rig)) {
     judgeByColor(rig, solver, sample, judged);
@@ -41,6 +37,13 @@ Result<JudgedPixels> judgePixels(const Measurements& measurements, const Chromop
   }
   judged.values = std::move(sample.values);
   return judged;
+}
+
+Result<JudgedPixels> judgePixels(const Measurements& measurements, const ChromophoreMaps& maps,
+                                 const PixelSolver& solver, const std::optional<NoiseModel>& noise,
+                                 const JobContext& context) {
+  CUTIS_TRY(sample, samplePixels(measurements, &maps, kLookedAt, context));
+  return judgePixels(std::move(sample), measurements.rig, solver, noise);
 }
 
 Result<JudgedPixels> judgePixels(const ChromophoreMaps& maps, const JobContext& context) {

@@ -8,14 +8,15 @@
 // the measurement by at most ΔE2000 1. For a camera's photographs it is if the root mean square
 // over all channels of (measured − modelled) / noise is at most 3.
 //
-// Looked at is a regular sample of the pixels with an estimate, at most about 65,000 and all of a
-// small picture. Deterministic; some milliseconds. Thread-safe: pure functions.
+// Of a whole picture a regular sample of the pixels with an estimate is looked at, at most about
+// 65,000 and all of a small picture: some milliseconds. Deterministic. Thread-safe: pure functions.
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "core/analyse/pixel_sample.h"
 #include "core/base/job_context.h"
 #include "core/base/result.h"
 #include "core/fit/pixel_solver.h"
@@ -32,7 +33,10 @@ struct JudgedPixels {
   std::size_t count() const { return isSkin.size(); }
 };
 
-// noise: what the fit assumed instead of the rig's own; where that is zero the rig's counts.
+// noise, here and below: what the fit assumed instead of the rig's own; where that is zero the
+// rig's counts.
+JudgedPixels judgePixels(PixelSample sample, const Rig& rig, const PixelSolver& solver,
+                         const std::optional<NoiseModel>& noise);
 Result<JudgedPixels> judgePixels(const Measurements& measurements, const ChromophoreMaps& maps,
                                  const PixelSolver& solver, const std::optional<NoiseModel>& noise,
                                  const JobContext& context);

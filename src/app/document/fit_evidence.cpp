@@ -78,8 +78,8 @@ std::vector<PixelMarks> FittedSamples::marks(PixelMarks wanted,
     }
   };
   if (wanted & kNotSkin) {
-    const SkinLikeness likeness = judgeSkin(tools.rig, *tools.solver, tools.noise, sample);
-    mark(kNotSkin, [&](std::size_t i) { return likeness.isSkin[i] == 0; });
+    const JudgedPixels judged = judgePixels(sample, tools.rig, *tools.solver, tools.noise);
+    mark(kNotSkin, [&](std::size_t i) { return judged.isSkin[i] == 0; });
   }
   if (!parameter) return marks;
   const auto index = static_cast<std::size_t>(*parameter);

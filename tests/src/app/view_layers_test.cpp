@@ -10,6 +10,7 @@
 #include "src/app/document/view_server.h"
 #include "src/app/open/photograph_part.h"
 #include "tests/support/expect.h"
+#include "tests/support/rendered_view.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -92,7 +93,7 @@ class ViewLayersTest : public QObject {
     const auto at = [&](double wavelength) {
       ViewRequest request = {ViewKind::band, kPart, 2};
       request.wavelengthNm = wavelength;
-      return renderView(document_.scene(), engine_, {}, request, {}).value().pixels;
+      return test::renderedView(document_.scene(), engine_, {}, request).value().pixels;
     };
     const PictureBuffer green = at(550.0);
     for (int y = 0; y < green.height; y += 13) {
@@ -137,7 +138,7 @@ class ViewLayersTest : public QObject {
 
  private:
   ViewPart rendered(ViewKind view) {
-    return renderView(document_.scene(), engine_, {}, {view, kPart, 2}, {}).value();
+    return test::renderedView(document_.scene(), engine_, {}, {view, kPart, 2}).value();
   }
 
   // At sample i of kPart at a step of 2.

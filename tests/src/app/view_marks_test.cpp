@@ -8,6 +8,7 @@
 #include "src/app/document/document.h"
 #include "src/app/document/view_server.h"
 #include "tests/support/expect.h"
+#include "tests/support/rendered_view.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -117,7 +118,7 @@ class ViewMarksTest : public QObject {
 
  private:
   ViewPart rendered(const ViewRequest& request) {
-    return renderView(document_.scene(), engine_, {}, request, {}).value();
+    return test::renderedView(document_.scene(), engine_, {}, request).value();
   }
 
   Engine engine_{std::filesystem::path()};

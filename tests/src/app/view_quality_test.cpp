@@ -10,6 +10,7 @@
 #include "src/app/document/view_server.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
+#include "tests/support/rendered_view.h"
 #include "tests/support/test_registry.h"
 
 namespace cutis {
@@ -54,13 +55,6 @@ double worstDifference(const PictureBuffer& a, const PictureBuffer& b) {
   return worst;
 }
 
-// What the server shows at rest.
-Result<ViewPart> renderView(const Scene& scene, Engine& engine, const PictureRequest& picture,
-                            const ViewRequest& request) {
-  CUTIS_TRY(samples, ViewSamples::load(scene, engine, picture, request, nullptr, {}));
-  return samples.render(scene.edits, ViewAccuracy::exact, {});
-}
-
 }  // namespace view_quality
 
 class ViewQualityTest : public QObject {
@@ -93,7 +87,7 @@ class ViewQualityTest : public QObject {
     ViewRequest coarse = view_quality::kAlbedo;
     coarse.step *= 2;
     QVERIFY(parts_[2]->request == coarse);
-    const auto expected = view_quality::renderView(document_.scene(), engine_, {}, coarse);
+    const auto expected = test::renderedView(document_.scene(), engine_, {}, coarse);
     EXPECT_OK(expected);
     QVERIFY(parts_[2]->pixels.present == expected.value().pixels.present);
     EXPECT_AT_MOST(view_quality::worstDifference(parts_[2]->pixels, expected.value().pixels), 0.3);
@@ -108,8 +102,7 @@ class ViewQualityTest : public QObject {
     QCOMPARE(parts_[2]->request.step, 6);
     QCOMPARE(parts_[3]->request.step, 3);
     QCOMPARE(parts_[4]->request.step, 3);
-    const auto sharp =
-        view_quality::renderView(document_.scene(), engine_, {}, view_quality::kAlbedo);
+    const auto sharp = test::renderedView(document_.scene(), engine_, {}, view_quality::kAlbedo);
     EXPECT_OK(sharp);
     EXPECT_AT_MOST(view_quality::worstDifference(parts_[3]->pixels, sharp.value().pixels), 0.3);
     QVERIFY(parts_[4]->pixels.channels != sharp.value().pixels.channels);
@@ -122,7 +115,7 @@ class ViewQualityTest : public QObject {
     QTRY_COMPARE(parts_.size(), 2);
     ViewRequest every = view_quality::kAlbedo;
     every.step = 1;
-    const auto texels = view_quality::renderView(document_.scene(), engine_, {}, every);
+    const auto texels = test::renderedView(document_.scene(), engine_, {}, every);
     EXPECT_OK(texels);
     const PictureBuffer expected = boxAverage(texels.value().pixels, view_quality::kAlbedo.step);
     QCOMPARE(parts_[1]->pixels.width, 67);
@@ -150,7 +143,7 @@ class ViewQualityTest : public QObject {
     QTRY_COMPARE(parts_.size(), 1);
     document_.apply(view_quality::flush(1.6, true));
     QTRY_COMPARE(parts_.size(), 3);
-    const auto sharp = view_quality::renderView(document_.scene(), engine_, {}, every);
+    const auto sharp = test::renderedView(document_.scene(), engine_, {}, every);
     EXPECT_OK(sharp);
     QVERIFY(parts_[2]->pixels.channels == sharp.value().pixels.channels);
   }
@@ -200,7 +193,7 @@ class ViewQualityTest : public QObject {
     const PictureRequest tungsten = {"A", "cie1931", ChromaticAdaptation::none, std::nullopt};
     server_.setPicture(tungsten);
     QTRY_COMPARE_WITH_TIMEOUT(parts_.size(), 4, view_quality::kPatienceMs);
-    const auto expected = view_quality::renderView(document_.scene(), engine_, tungsten, skin);
+    const auto expected = test::renderedView(document_.scene(), engine_, tungsten, skin);
     EXPECT_OK(expected);
     QVERIFY(parts_[2]->pixels.channels == expected.value().pixels.channels);
   }
