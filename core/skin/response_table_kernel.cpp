@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "core/maths/cube_root-inl.h"
 #include "core/maths/exp-inl.h"
 #include "core/maths/partial-inl.h"
 
@@ -12,23 +13,6 @@ HWY_BEFORE_NAMESPACE();
 namespace cutis {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Takes x in [0, 1] and is right to 1e-6: a third of the exponent is the first guess, then come
-// Halley's rounds.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V CubeRoot(D d, V x) {
-  const hn::RebindToSigned<D> integers;
-  x = hn::Max(x, hn::Set(d, 1e-20f));  // cubes of the root stay normal numbers
-  const V third = hn::Mul(hn::ConvertTo(d, hn::BitCast(integers, x)), hn::Set(d, 1.0f / 3.0f));
-  V root = hn::BitCast(
-      d, hn::Add(hn::ConvertTo(integers, third), hn::Set(integers, std::int32_t{709921077})));
-  for (int round = 0; round < 2; ++round) {
-    const V cube = hn::Mul(hn::Mul(root, root), root);
-    root = hn::Div(hn::Mul(root, hn::MulAdd(hn::Set(d, 2.0f), x, cube)),
-                   hn::MulAdd(hn::Set(d, 2.0f), cube, x));
-  }
-  return root;
-}
 
 // Where a value lies on an axis: the sample below it and the way to the next, in [0, 1].
 template <class D, class V, class VI>

@@ -47,7 +47,7 @@ constexpr Room kRooms[] = {
 
     // What turns maps into other maps and pictures never sees rig or fit.
     {"core/edit", "core/base core/spectra core/skin/*"},
-    {"core/render", "core/base core/spectra core/skin/* core/edit"},
+    {"core/render", "core/base core/maths core/spectra core/skin/* core/edit"},
 
     {"core/simulate/paint", "core/base core/skin/profile"},
     {"core/simulate", "core/base core/spectra core/skin/* core/rig core/simulate/paint"},
@@ -121,19 +121,26 @@ constexpr Room kRooms[] = {
     {"ui/commands", "core/base ui/theme"},
     {"ui/plot", "core/base core/spectra src/report/* ui/theme"},
     {"ui/widgets", "core/base core/spectra core/skin/profile src/app/training ui/theme"},
+    {"ui/color", "core/spectra core/analyse src/app/document ui/theme"},
     {"ui/view",
-     "core/base core/maths core/spectra core/skin/* core/analyse src/app src/app/document ui/theme "
-     "ui/plot ui/widgets"},
+     "core/base core/maths core/spectra core/skin/* src/app src/app/document ui/theme ui/widgets "
+     "ui/color"},
+    {"ui/compare",
+     "core/base core/edit core/render src/app src/app/document ui/theme ui/color "
+     "ui/view"},
     {"ui/docks", "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view"},
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},
     {"ui/edits", "core/* src/files/* src/app/* ui/theme ui/widgets ui/view ui/docks ui/dialogs"},
     {"ui/documents",
-     "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view ui/docks "
-     "ui/dialogs ui/edits"},
+     "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view ui/compare "
+     "ui/docks ui/dialogs ui/edits"},
+    {"ui/menus",
+     "core/base core/skin/profile src/app/* src/files/system ui/theme ui/color ui/commands ui/view "
+     "ui/compare ui/docks ui/dialogs ui/edits ui/documents"},
     {"ui/window",
-     "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/commands ui/plot ui/widgets "
-     "ui/view ui/docks ui/dialogs ui/edits ui/documents"},
+     "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/color ui/commands ui/plot "
+     "ui/widgets ui/view ui/compare ui/docks ui/dialogs ui/edits ui/documents ui/menus"},
     {"src/cutis", "core/* src/files/* src/images/* src/color src/app/* ui/*"},
 };
 
