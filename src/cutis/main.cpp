@@ -21,10 +21,10 @@
 #include "src/files/system/last_words.h"
 #include "src/files/system/platform.h"
 #include "ui/dialogs/open_controller.h"
+#include "ui/menus/private_data.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/main_window.h"
-#include "ui/window/private_data.h"
 #include "ui/window/script.h"
 #include "ui/window/window_icon.h"
 

@@ -26,12 +26,12 @@
 #include "ui/docks/edit_controller.h"
 #include "ui/documents/document_page.h"
 #include "ui/documents/document_tabs.h"
+#include "ui/menus/private_data.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/notice_bar.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/main_window.h"
-#include "ui/window/private_data.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/view/color_bar.h"
+#include "ui/color/color_bar.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <QPainter>
 #include <QPolygonF>
 
+#include "ui/color/hatch_pattern.h"
+#include "ui/color/range_texts.h"
 #include "ui/theme/theme.h"
-#include "ui/view/hatching.h"
-#include "ui/view/range_texts.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/view
+#pragma once
 
 // The labelled colour bar that lies over a false-colour picture: the field's name and unit, the
 // colours from minimum to maximum, and the numbers at both ends and the middle. Where the range can
@@ -11,8 +11,8 @@
 #include <QString>
 
 #include "src/app/document/pixel_marks.h"
-#include "ui/view/color_scale.h"
-#include "ui/view/display_range.h"
+#include "ui/color/color_scale.h"
+#include "ui/color/display_range.h"
 
 class QFont;
 class QPainter;

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/view
+#pragma once
 
 // The colour bar over the picture, whose range can be drawn to other values where its
 // specification has an axis: by its two handles, or by the arrow keys (up and down choose the
@@ -9,7 +9,7 @@
 
 #include <QWidget>
 
-#include "ui/view/color_bar.h"
+#include "ui/color/color_bar.h"
 
 namespace cutis {
 

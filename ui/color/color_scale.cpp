@@ -1,10 +1,10 @@
-#include "ui/view/color_scale.h"
+#include "ui/color/color_scale.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "ui/view/oklab.h"
+#include "ui/color/oklab.h"
 
 namespace cutis {
 namespace {

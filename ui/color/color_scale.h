@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/view
+#pragma once
 
 // False-colour scales: 256 sRGB colours at equal distances along a path through OKLab. Lightness
 // alone already carries the order, so that they read the same with any colour vision, and in print.

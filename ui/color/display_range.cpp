@@ -1,4 +1,4 @@
-#include "ui/view/display_range.h"
+#include "ui/color/display_range.h"
 
 #include <algorithm>
 #include <cmath>

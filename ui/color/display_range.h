@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/view
+#pragma once
 
 // What the ends of a false-colour scale stand for, and where a value lies between them.
 //

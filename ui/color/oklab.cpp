@@ -1,4 +1,4 @@
-#include "ui/view/oklab.h"
+#include "ui/color/oklab.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/view
+#pragma once  // internal to ui/color
 
 // OKLab (Ottosson 2020), a space in which equal distances look about equally different, and its way
 // to sRGB. For the colours of the interface; the colours of skin come from core/spectra.

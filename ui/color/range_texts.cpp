@@ -1,4 +1,4 @@
-#include "ui/view/range_texts.h"
+#include "ui/color/range_texts.h"
 
 #include <algorithm>
 #include <cmath>

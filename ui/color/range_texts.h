@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/view
+#pragma once  // internal to ui/color
 
 // Numbers for the ends and the middle of a colour bar.
 
@@ -6,7 +6,7 @@
 
 #include <QString>
 
-#include "ui/view/display_range.h"
+#include "ui/color/display_range.h"
 
 namespace cutis {
 

@@ -63,6 +63,8 @@ void CommandRegistry::addAction(const CommandDescription& command) {
   action->setObjectName(command.id);
   action->setShortcuts(command.shortcuts);
   action->setCheckable(command.isOn != nullptr);
+  // A key that is held does not switch something on and off all the time.
+  action->setAutoRepeat(command.isOn == nullptr);
   if (!command.exclusiveGroup.isEmpty()) groupOf(command.exclusiveGroup).addAction(action);
   // Menus of other systems would guess a place from the text: "About …", "Quit".
   action->setMenuRole(QAction::NoRole);

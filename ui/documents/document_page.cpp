@@ -7,6 +7,7 @@
 
 #include "src/app/document/autosave.h"
 #include "ui/commands/context_menu.h"
+#include "ui/compare/comparison_controller.h"
 #include "ui/dialogs/export_controller.h"
 #include "ui/dialogs/reopen_controller.h"
 #include "ui/dialogs/save_controller.h"
@@ -35,6 +36,8 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
       workspace_(new Workspace(viewport_, this)),
       notice_(new NoticeBar(this)),
       views_(std::make_unique<ViewController>(*document_, *server_, *viewport_)),
+      comparison_(
+          std::make_unique<ComparisonController>(*document_, jobs_, *server_, *views_, *viewport_)),
       edits_(std::make_unique<EditController>(*document_, *views_)),
       presets_(std::make_unique<PresetController>(*document_, *views_, progress, this)),
       light_(std::make_unique<LightController>(*server_, *views_)),
@@ -73,6 +76,11 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
                    "hatch.notSkin",
                    "hatch.atBound",
                    "hatch.assumed",
+                   "",
+                   "compare.wipe",
+                   "compare.sideBySide",
+                   "compare.difference",
+                   "compare.copy",
                    "",
                    "edit.copyEdits",
                    "edit.pasteEdits",

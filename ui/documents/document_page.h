@@ -19,6 +19,7 @@ namespace cutis {
 
 class Autosave;
 class CommandRegistry;
+class ComparisonController;
 class EditController;
 class ExportController;
 class FitController;
@@ -77,6 +78,7 @@ class DocumentPage : public QWidget {
   Viewport& viewport() { return *viewport_; }
   Workspace& workspace() { return *workspace_; }
   ViewController& views() { return *views_; }
+  ComparisonController& comparison() { return *comparison_; }
   EditController& edits() { return *edits_; }
   PresetController& presets() { return *presets_; }
   LightController& light() { return *light_; }
@@ -100,6 +102,7 @@ class DocumentPage : public QWidget {
   NoticeBar* notice_;
   // They go before what they work on.
   std::unique_ptr<ViewController> views_;
+  std::unique_ptr<ComparisonController> comparison_;
   std::unique_ptr<EditController> edits_;
   std::unique_ptr<PresetController> presets_;
   std::unique_ptr<LightController> light_;

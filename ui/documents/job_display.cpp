@@ -1,4 +1,4 @@
-#include "ui/window/job_display.h"
+#include "ui/documents/job_display.h"
 
 namespace cutis {
 

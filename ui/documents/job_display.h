@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/window
+#pragma once
 
 // Shows the running jobs in the progress strip: the newest, and when that ends the one before it.
 // Interface thread only.

@@ -1,4 +1,4 @@
-#include "ui/window/command_catalogue.h"
+#include "ui/menus/command_catalogue.h"
 
 #include <QCoreApplication>
 #include <QWidget>
@@ -16,11 +16,12 @@
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/fit_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/documents/job_display.h"
+#include "ui/menus/compare_commands.h"
+#include "ui/menus/preset_commands.h"
+#include "ui/menus/private_data.h"
+#include "ui/menus/view_commands.h"
 #include "ui/view/viewport.h"
-#include "ui/window/job_display.h"
-#include "ui/window/preset_commands.h"
-#include "ui/window/private_data.h"
-#include "ui/window/view_commands.h"
 
 namespace cutis {
 namespace {
@@ -352,7 +353,7 @@ std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
   for (const auto& part :
        {openCommands, sourceCommands, fileCommands, editCommands, presetCommands, zoomCommands,
-        viewCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
+        viewCommands, compareCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

@@ -1,9 +1,9 @@
-#pragma once  // internal to ui/window
+#pragma once
 
 #include <vector>
 
 #include "ui/commands/command_description.h"
-#include "ui/window/editor.h"
+#include "ui/menus/editor.h"
 
 namespace cutis {
 

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/window
+#pragma once
 
 // What the rows of the table of commands work on. The window owns it all; rows are made once
 // everything is there, and are gone before it.

@@ -1,4 +1,4 @@
-#include "ui/window/preset_commands.h"
+#include "ui/menus/preset_commands.h"
 
 #include <QCoreApplication>
 

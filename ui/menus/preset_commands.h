@@ -1,11 +1,11 @@
-#pragma once  // internal to ui/window
+#pragma once  // internal to ui/menus
 
 // The rows of the table of commands that take whole sets of edits: presets and the clipboard.
 
 #include <vector>
 
 #include "ui/commands/command_description.h"
-#include "ui/window/editor.h"
+#include "ui/menus/editor.h"
 
 namespace cutis {
 

@@ -1,4 +1,4 @@
-#include "ui/window/private_data.h"
+#include "ui/menus/private_data.h"
 
 #include <filesystem>
 

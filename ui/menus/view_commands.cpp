@@ -1,5 +1,6 @@
-#include "ui/window/view_commands.h"
+#include "ui/menus/view_commands.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QCoreApplication>
@@ -12,6 +13,8 @@ namespace cutis {
 namespace {
 
 using ViewRows = std::vector<CommandDescription>;
+
+constexpr double kExposureStep = 0.25;  // stops
 
 QString tr(const char* text) {
   return QCoreApplication::translate("ViewCommands", text);
@@ -98,6 +101,50 @@ ViewRows rangeCommands(const Editor& editor) {
   };
 }
 
+// Of what is seen; exports do not know of it.
+ViewRows adjustmentCommands(const Editor& editor) {
+  const auto expose = [editor](double stops) {
+    ViewController& views = editor.page().views();
+    ViewAdjustment adjustment = views.adjustment();
+    adjustment.stops = std::clamp(adjustment.stops + stops, -ViewAdjustment::kMostStops,
+                                  ViewAdjustment::kMostStops);
+    views.setAdjustment(adjustment);
+  };
+  const auto objection = [editor] { return nothingOpen(editor); };
+  return {
+      {.id = "view.brighter",
+       .menu = Menu::view,
+       .submenu = tr("&Exposure of the view"),
+       .text = tr("&Brighter"),
+       .toolTip = tr("A quarter of a stop; it changes what you see, not what is exported"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Up"))},
+       .run = [expose] { expose(kExposureStep); },
+       .objection = objection},
+      {.id = "view.darker",
+       .menu = Menu::view,
+       .submenu = tr("&Exposure of the view"),
+       .text = tr("&Darker"),
+       .toolTip = tr("A quarter of a stop; it changes what you see, not what is exported"),
+       .shortcuts = {QKeySequence(tr("Ctrl+Down"))},
+       .run = [expose] { expose(-kExposureStep); },
+       .objection = objection},
+      {.id = "view.neutral",
+       .menu = Menu::view,
+       .submenu = tr("&Exposure of the view"),
+       .text = tr("&Reset"),
+       .toolTip = tr("Back to exposure 0 and gamma 1"),
+       .shortcuts = {QKeySequence(tr("Ctrl+0"))},
+       .run = [editor] { editor.page().views().setAdjustment({}); },
+       .objection =
+           [editor] {
+             if (!editor.document().isOpen()) return nothingOpen(editor);
+             return editor.page().views().adjustment().isNeutral()
+                        ? tr("The view is neutral already")
+                        : QString();
+           }},
+  };
+}
+
 CommandDescription hatchCommand(const Editor& editor, PixelMark mark, const QString& id,
                                 const QString& text, const QString& toolTip,
                                 const QString& shortcut) {
@@ -132,7 +179,7 @@ ViewRows hatchCommands(const Editor& editor) {
 
 std::vector<CommandDescription> viewCommands(const Editor& editor) {
   ViewRows all;
-  for (const auto& part : {catalogueCommands, rangeCommands, hatchCommands}) {
+  for (const auto& part : {catalogueCommands, rangeCommands, adjustmentCommands, hatchCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

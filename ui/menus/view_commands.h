@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/window
+#pragma once  // internal to ui/menus
 
 // The rows of the table of commands that choose what is shown: views, the range of their false
 // colours, and what is hatched over them.
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/commands/command_description.h"
-#include "ui/window/editor.h"
+#include "ui/menus/editor.h"
 
 namespace cutis {
 

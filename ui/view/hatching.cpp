@@ -1,51 +1,14 @@
 #include "ui/view/hatching.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <vector>
 
-#include <QCoreApplication>
-#include <QPainter>
-
+#include "ui/color/hatch_pattern.h"
 #include "ui/view/view_geometry.h"
 
 namespace cutis {
 namespace {
-
-constexpr QRgb kLight = 0xffffffff;
-constexpr QRgb kDark = 0xff000000;
-constexpr QRgb kClear = 0x00000000;
-constexpr double kApartLines = 9;  // device-independent pixels, as below
-constexpr double kApartDots = 6;
-constexpr double kLine = 1;
-
-// The patterns at one resolution of the screen.
-struct HatchPattern {
-  int lines, dots, line;
-
-  explicit HatchPattern(double ratio)
-      : lines(std::max(4, static_cast<int>(std::lround(kApartLines * ratio)))),
-        dots(std::max(4, static_cast<int>(std::lround(kApartDots * ratio)))),
-        line(std::max(1, static_cast<int>(std::lround(kLine * ratio)))) {}
-
-  // Precondition: x and y are not negative.
-  QRgb at(PixelMarks marks, int x, int y) const {
-    QRgb color = kClear;
-    const auto draw = [&](int place) {
-      if (place < line) {
-        color = kLight;
-      } else if (place < 2 * line && color == kClear) {
-        color = kDark;
-      }
-    };
-    constexpr int kTall = 1 << 20;  // keeps the difference positive
-    if (marks & kNotSkin) draw((x + y) % lines);
-    if (marks & kAtBound) draw((x + kTall * lines - y) % lines);
-    if (marks & kMostlyPrior) draw(std::max(x % dots, y % dots));
-    return color;
-  }
-};
 
 // Which sample stands under each device pixel of a side; -1: none.
 std::vector<int> samplesAlong(int pixels, int from, int to, int step,
@@ -60,18 +23,6 @@ std::vector<int> samplesAlong(int pixels, int from, int to, int step,
 }
 
 }  // namespace
-
-QString markText(PixelMark mark) {
-  switch (mark) {
-    case kNotSkin:
-      return QCoreApplication::translate("Hatching", "Not like skin");
-    case kAtBound:
-      return QCoreApplication::translate("Hatching", "At the end of its range");
-    case kMostlyPrior:
-      return QCoreApplication::translate("Hatching", "Assumed rather than measured");
-  }
-  return {};
-}
 
 QImage hatchLayer(const MarkedSamples& samples, const ViewGeometry& geometry, QSize size,
                   double ratio) {
@@ -98,19 +49,6 @@ QImage hatchLayer(const MarkedSamples& samples, const ViewGeometry& geometry, QS
     }
   }
   return layer;
-}
-
-void drawHatchSample(QPainter& painter, const QRectF& area, PixelMark mark) {
-  const double ratio = painter.device()->devicePixelRatioF();
-  const QSize size = (area.size() * ratio).toSize();
-  QImage sample(size, QImage::Format_ARGB32_Premultiplied);
-  const HatchPattern pattern(ratio);
-  for (int y = 0; y < size.height(); ++y) {
-    for (int x = 0; x < size.width(); ++x)
-      sample.setPixel(x, y, pattern.at(mark, x, y));
-  }
-  sample.setDevicePixelRatio(ratio);
-  painter.drawImage(area.topLeft(), sample);
 }
 
 }  // namespace cutis

@@ -42,12 +42,13 @@ void drawSamples(QPainter& painter, const ViewGeometry& geometry, const QImage& 
 
 }  // namespace
 
-void PictureImages::draw(QPainter& painter, const ViewGeometry& geometry) const {
+void PictureImages::draw(QPainter& painter, const ViewGeometry& geometry, const QRect& seen) const {
   if (!geometry.hasPicture()) return;
   const QSizeF picture = geometry.picture();
   // Samples of the last column and row may reach beyond the picture.
   painter.setClipRect(QRectF(geometry.toDevice({0, 0}),
-                             geometry.toDevice(QPointF(picture.width(), picture.height()))));
+                             geometry.toDevice(QPointF(picture.width(), picture.height())))
+                          .intersected(QRectF(seen)));
   const bool detailSuffices = !detail.isNull() && contains(covered, geometry.visible());
   if (!overview.isNull() && !detailSuffices) {
     painter.setRenderHint(QPainter::SmoothPixmapTransform);

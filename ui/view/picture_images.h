@@ -18,9 +18,10 @@ struct PictureImages {
   Rect covered;     // image pixels
   int step = 1;
 
-  // Paints in device pixels of the view. Cost: the pixels in view, whatever the size of the images.
-  // Smooth up to 2 ×, above it the detail's pixels are the squares that they are.
-  void draw(QPainter& painter, const ViewGeometry& geometry) const;
+  // Paints what of the picture lies in `seen`, in device pixels of the view. Cost: the pixels in
+  // view, whatever the size of the images. Smooth up to 2 ×, above it the detail's pixels are the
+  // squares that they are.
+  void draw(QPainter& painter, const ViewGeometry& geometry, const QRect& seen) const;
 };
 
 }  // namespace cutis

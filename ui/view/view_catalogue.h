@@ -9,7 +9,7 @@
 
 #include "src/app/document/document.h"
 #include "src/app/document/view_part.h"
-#include "ui/view/color_scale.h"
+#include "ui/color/color_scale.h"
 
 namespace cutis {
 

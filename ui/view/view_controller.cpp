@@ -42,10 +42,12 @@ ViewController::ViewController(Document& document, ViewServer& server, Viewport&
                                 [this](const Part& part) {
                                   detail_ = part;
                                   showDetail();
+                                  Q_EMIT partShown();
                                 })),
       overviewWatch_(server.watch(ViewPriority::overview, [this](const Part& part) {
         overview_ = part;
         showOverview();
+        Q_EMIT partShown();
       })) {
   connect(&document, &Document::opened, this, &ViewController::open);
   connect(&document, &Document::previewed, this, &ViewController::showPreview);
@@ -80,14 +82,14 @@ void ViewController::attach(ViewStrip& strip) {
 }
 
 void ViewController::showPreview(const SourcePreview& preview) {
-  preview_ = colorImage({{}, preview.picture});
+  preview_ = colorImage(preview.picture);
   viewport_.clear();
   viewport_.setPictureSize(preview.width, preview.height);
   viewport_.setOverview(preview_);
 }
 
 void ViewController::refinePreview(const SourcePreview& preview) {
-  preview_ = colorImage({{}, preview.picture});
+  preview_ = colorImage(preview.picture);
   viewport_.setOverview(preview_);
 }
 
@@ -188,6 +190,15 @@ PixelMarks ViewController::wantedMarks() const {
   return describe(current_).scale ? marks_ : PixelMarks{0};
 }
 
+void ViewController::setAdjustment(const ViewAdjustment& adjustment) {
+  if (adjustment == adjustment_) return;
+  adjustment_ = adjustment;
+  curve_ = DisplayCurve(adjustment);
+  showDetail();
+  showOverview();
+  Q_EMIT adjustmentChanged();
+}
+
 void ViewController::setMarked(PixelMark mark, bool on) {
   marks_ = static_cast<PixelMarks>(on ? marks_ | mark : marks_ & ~mark);
   wantDetail();
@@ -197,13 +208,21 @@ void ViewController::setMarked(PixelMark mark, bool on) {
 void ViewController::wantDetail() {
   if (!document_.isOpen()) return;
   document_.lookAt(viewport_.visibleRect());
-  detailWatch_->want({current_, viewport_.visibleRect(), viewport_.samplingStep(), wantedMarks(),
-                      viewport_.bandScrubber().wavelengthNm()});
+  detailWatch_->want(detailRequest());
+}
+
+ViewRequest ViewController::detailRequest() const {
+  return {current_, viewport_.visibleRect(), viewport_.samplingStep(), wantedMarks(),
+          viewport_.bandScrubber().wavelengthNm()};
+}
+
+ViewRequest ViewController::overviewRequest() const {
+  return wholePicture(current_, kOverviewSize);
 }
 
 void ViewController::wantOverview() {
   if (!document_.isOpen()) return;
-  overviewWatch_->want(wholePicture(current_, kOverviewSize));
+  overviewWatch_->want(overviewRequest());
 }
 
 void ViewController::showBand() {
@@ -223,7 +242,8 @@ void ViewController::showThumbnail(ViewKind view) {
   const auto known = thumbnails_.find(view);
   if (strip_ == nullptr || known == thumbnails_.end()) return;
   const bool isEmpty = awaitsEstimate(view) || isWithoutEstimate(*known->second);
-  strip_->setThumbnail(describe(view).id, isEmpty ? QImage() : imageOf(*known->second));
+  strip_->setThumbnail(describe(view).id,
+                       isEmpty ? QImage() : imageOf(*known->second, DisplayCurve::neutral()));
 }
 
 void ViewController::takeRange(const Part& part) {
@@ -299,7 +319,7 @@ void ViewController::showOverview() {
   const QImage image = imageOf(*overview_);
   viewport_.setOverview(image);
   if (!firstPicture_.isNull() || describe(current_).scale) return;
-  firstPicture_ = image;
+  firstPicture_ = imageOf(*overview_, DisplayCurve::neutral());
   Q_EMIT firstPictureSeen();
 }
 
@@ -308,12 +328,18 @@ bool ViewController::awaitsEstimate(ViewKind view) const {
   return document_.isOpen() && !document_.hasEstimate() && !showsSource;
 }
 
+void ViewController::setBarInstead(const std::optional<ColorBarSpec>& spec) {
+  barInstead_ = spec;
+  showColorBar();
+}
+
 void ViewController::showColorBar() {
   if (!document_.isOpen()) return;
   const ViewDescription& view = describe(current_);
   const bool awaits = awaitsEstimate(current_);
   viewport_.bandScrubber().setWanted(current_ == ViewKind::band && !awaits);
   viewport_.setNotice(awaits ? tr("Not fitted yet") : QString());
+  if (barInstead_) return viewport_.setColorBar(barInstead_);
   if (!view.scale || awaits) return viewport_.setColorBar(std::nullopt);
   ColorBarSpec spec = {view.name, view.unit, {}, *view.scale, stateText(), false};
   if (const DisplayRange* known = knownRange(current_)) {
@@ -337,9 +363,13 @@ QString ViewController::stateText() const {
 }
 
 QImage ViewController::imageOf(const ViewPart& part) const {
+  return imageOf(part, curve_);
+}
+
+QImage ViewController::imageOf(const ViewPart& part, const DisplayCurve& curve) const {
   const ViewDescription& view = describe(part.request.view);
   if (awaitsEstimate(view.kind)) return maskedImage(part);
-  if (!view.scale) return colorImage(part);
+  if (!view.scale) return colorImage(part.pixels, curve);
   const DisplayRange* known = knownRange(view.kind);
   return falseColorImage(part, *view.scale,
                          known ? *known : rangeOf(part).value_or(DisplayRange()));

@@ -14,6 +14,8 @@
 
 #include "src/app/document/document.h"
 #include "src/app/document/view_server.h"
+#include "ui/color/color_bar.h"
+#include "ui/color/display_curve.h"
 #include "ui/view/view_image.h"
 
 namespace cutis {
@@ -51,17 +53,35 @@ class ViewController : public QObject {
   bool isLogarithmic() const { return logarithmic_.contains(current_); }
   void setLogarithmic(bool isLogarithmic);
 
+  // Of views in colours; thumbnails stay as they are.
+  const ViewAdjustment& adjustment() const { return adjustment_; }
+  void setAdjustment(const ViewAdjustment& adjustment);
+
   // What is hatched over views in false colours.
   bool isMarked(PixelMark mark) const { return (marks_ & mark) != 0; }
   void setMarked(PixelMark mark, bool on);
 
-  // Of what is open the whole picture as it was first seen, small; null until it is.
+  // What is shown now; null until it was made. The overview is the whole picture.
+  const std::shared_ptr<const ViewPart>& detail() const { return detail_; }
+  const std::shared_ptr<const ViewPart>& overview() const { return overview_; }
+  // What is asked for them.
+  ViewRequest detailRequest() const;
+  ViewRequest overviewRequest() const;
+  // A part of a view as this window shows it: its range and scale, or the adjustment.
+  QImage imageOf(const ViewPart& part) const;
+  // A colour bar in place of the current view's own; none: that one again.
+  void setBarInstead(const std::optional<ColorBarSpec>& spec);
+
+  // The whole picture as it was first seen, small; null until it is.
   const QImage& firstPicture() const { return firstPicture_; }
 
  Q_SIGNALS:
   void firstPictureSeen();
+  // One of detail() and overview() is another.
+  void partShown();
   void currentChanged();
   void rangeChanged();
+  void adjustmentChanged();
 
  private:
   using Part = std::shared_ptr<const ViewPart>;
@@ -96,7 +116,7 @@ class ViewController : public QObject {
   void showColorBar();
   // What the scale of the current view leaves open; empty: nothing.
   QString stateText() const;
-  QImage imageOf(const ViewPart& part) const;
+  QImage imageOf(const ViewPart& part, const DisplayCurve& curve) const;
 
   Document& document_;
   ViewServer& server_;
@@ -110,6 +130,9 @@ class ViewController : public QObject {
   std::map<ViewKind, DisplayRange> fixed_;  // that the user has drawn
   std::set<ViewKind> logarithmic_;
   PixelMarks marks_ = 0;
+  std::optional<ColorBarSpec> barInstead_;
+  ViewAdjustment adjustment_;
+  DisplayCurve curve_;  // of the adjustment
   Part detail_;
   Part overview_;
   std::map<ViewKind, Part> thumbnails_;

@@ -1,39 +1,16 @@
 #include "ui/view/view_image.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "core/maths/quantile.h"
-#include "core/spectra/colorimetry.h"
 
 namespace cutis {
 namespace {
 
-// Fine enough that a step of the table is a fifth of a step of 8 bits where the curve is steepest.
-constexpr int kCurveSamples = 16384;
 constexpr double kShareBelowMaximum = 0.995;
-
-const std::array<std::uint8_t, kCurveSamples>& displayCurve() {
-  static const auto curve = [] {
-    std::array<std::uint8_t, kCurveSamples> samples = {};
-    for (int i = 0; i < kCurveSamples; ++i) {
-      const double linear = static_cast<double>(i) / (kCurveSamples - 1);
-      samples[static_cast<std::size_t>(i)] =
-          static_cast<std::uint8_t>(std::lround(255.0 * encodeSrgb(linear)));
-    }
-    return samples;
-  }();
-  return curve;
-}
-
-int displayed(float linear) {
-  const float clamped = std::clamp(linear, 0.0f, 1.0f);
-  return displayCurve()[static_cast<std::size_t>(clamped * (kCurveSamples - 1) + 0.5f)];
-}
 
 // color(i) gives the colour of sample i where there is an estimate.
 template <typename Color>
@@ -61,11 +38,11 @@ double roundUp(double value) {
 
 }  // namespace
 
-QImage colorImage(const ViewPart& part) {
-  const auto& channels = part.pixels.channels;
+QImage colorImage(const PictureBuffer& picture, const DisplayCurve& curve) {
+  const auto& channels = picture.channels;
   if (channels.size() < 3) return {};
-  return makeImage(part.pixels, [&](std::size_t i) {
-    return qRgb(displayed(channels[0][i]), displayed(channels[1][i]), displayed(channels[2][i]));
+  return makeImage(picture, [&](std::size_t i) {
+    return qRgb(curve(channels[0][i]), curve(channels[1][i]), curve(channels[2][i]));
   });
 }
 

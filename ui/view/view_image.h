@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/view
+#pragma once
 
 // Parts of views as images for the screen.
 
@@ -7,13 +7,15 @@
 #include <QImage>
 
 #include "src/app/document/view_part.h"
-#include "ui/view/color_scale.h"
-#include "ui/view/display_range.h"
+#include "ui/color/color_scale.h"
+#include "ui/color/display_curve.h"
+#include "ui/color/display_range.h"
 
 namespace cutis {
 
-// Linear Rec.709 to sRGB, clamped; pixels without an estimate are hatched. RGB32.
-QImage colorImage(const ViewPart& part);
+// Linear Rec.709 as the curve shows it; pixels without an estimate are hatched. RGB32.
+QImage colorImage(const PictureBuffer& picture,
+                  const DisplayCurve& curve = DisplayCurve::neutral());
 // As if no pixel had an estimate: hatched all over.
 QImage maskedImage(const ViewPart& part);
 // One channel through a scale. RGB32.

@@ -16,8 +16,8 @@
 #include <QTextEdit>
 #include <QWheelEvent>
 
+#include "ui/color/color_bar_control.h"
 #include "ui/theme/theme.h"
-#include "ui/view/color_bar_control.h"
 
 namespace cutis {
 namespace {
@@ -27,6 +27,7 @@ constexpr double kArrowDistance = 64;  // device-independent pixels
 // One notch of a wheel; a touchpad sends fractions of it.
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNotch = 120;
+constexpr double kWipeStep = 0.02;  // of the width
 
 bool takesText(const QObject* widget) {
   return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
@@ -49,6 +50,7 @@ Viewport::Viewport(QWidget* parent)
 
 void Viewport::setPictureSize(int width, int height) {
   images_ = {};
+  split_.second = {};
   setMarks({});
   toldStep_ = 0;
   geometry_.setPicture({width, height});
@@ -70,6 +72,45 @@ void Viewport::setDetail(const QImage& image, const Rect& covered, int step) {
 
 void Viewport::clear() {
   setPictureSize(0, 0);
+}
+
+void Viewport::setSplit(SplitMode mode, const QString& firstName, const QString& secondName) {
+  split_.firstName = firstName;
+  split_.secondName = secondName;
+  update();
+  if (mode == split_.mode) return;
+  split_.mode = mode;
+  wiping_ = false;
+  layOut();
+}
+
+void Viewport::setSecondOverview(const QImage& image) {
+  split_.second.overview = image;
+  update();
+}
+
+void Viewport::setSecondDetail(const QImage& image, const Rect& covered, int step) {
+  split_.second.detail = image;
+  split_.second.covered = covered;
+  split_.second.step = std::max(step, 1);
+  update();
+}
+
+void Viewport::clearSecond() {
+  split_.second = {};
+  update();
+}
+
+QImage Viewport::picture() {
+  const bool hadFocus = std::exchange(showFocus_, false);
+  const QSize pane = split_.paneOf(size());
+  const QSize size = geometry_.picture();
+  QRectF seen = QRectF(toWidget({0, 0}), toWidget(QPointF(size.width(), size.height()))) &
+                QRectF(QPointF(), QSizeF(pane));
+  if (split_.mode == SplitMode::sideBySide) seen |= seen.translated(pane.width(), 0);
+  const QImage image = grab(seen.toAlignedRect()).toImage();
+  showFocus_ = hadFocus;
+  return image;
 }
 
 const std::optional<ColorBarSpec>& Viewport::colorBar() const {
@@ -100,7 +141,7 @@ QPointF Viewport::toWidget(const QPointF& image) const {
 }
 
 QPointF Viewport::toImage(const QPointF& widget) const {
-  return geometry_.toImage(widget * devicePixelRatioF());
+  return geometry_.toImage(split_.intoFirst(widget, width()) * devicePixelRatioF());
 }
 
 void Viewport::fitPicture() {
@@ -137,7 +178,7 @@ void Viewport::zoomOut() {
 }
 
 QPointF Viewport::anchor() const {
-  return cursor_ ? *cursor_ * devicePixelRatioF() : geometry_.middle();
+  return cursor_ ? split_.intoFirst(*cursor_, width()) * devicePixelRatioF() : geometry_.middle();
 }
 
 std::optional<QPoint> Viewport::pixelAt(const QPointF& widget) const {
@@ -189,6 +230,8 @@ void Viewport::updateShape() {
     setCursor(Qt::ClosedHandCursor);
   } else if (spaceHeld_) {
     setCursor(Qt::OpenHandCursor);
+  } else if (wiping_ || (cursor_ && split_.isOnLine(*cursor_, width()))) {
+    setCursor(Qt::SplitHCursor);
   } else {
     unsetCursor();
   }
@@ -199,21 +242,28 @@ void Viewport::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), theme::tones().surround);
   painter.save();
   painter.scale(1 / devicePixelRatioF(), 1 / devicePixelRatioF());
-  images_.draw(painter, geometry_);
+  split_.draw(painter, geometry_, images_, (QSizeF(size()) * devicePixelRatioF()).toSize());
   painter.restore();
   drawHatching(painter);
+  split_.drawFrame(painter, font(), size());
   if (!notice_.isEmpty()) drawNotice(painter);
   if (showFocus_) theme::drawFocusRing(painter, QRectF(rect()));
 }
 
 void Viewport::drawHatching(QPainter& painter) {
-  if (marks_.marks.empty()) return;
+  if (marks_.marks.empty() || !split_.showsFirst()) return;
   const double ratio = devicePixelRatioF();
   if (hatching_.isNull()) {
     hatching_ = hatchLayer(marks_, geometry_, (QSizeF(size()) * ratio).toSize(), ratio);
     hatching_.setDevicePixelRatio(ratio);
   }
+  painter.save();
+  if (split_.mode == SplitMode::wipe)
+    painter.setClipRect(QRectF(0, 0, split_.lineAt(width()), height()));
+  if (split_.mode == SplitMode::sideBySide)
+    painter.setClipRect(QRect(QPoint(), split_.paneOf(size())));
   painter.drawImage(QPointF(0, 0), hatching_);
+  painter.restore();
 }
 
 void Viewport::drawNotice(QPainter& painter) const {
@@ -228,10 +278,19 @@ void Viewport::drawNotice(QPainter& painter) const {
   painter.drawText(box, Qt::AlignCenter, notice_);
 }
 
-void Viewport::resizeEvent(QResizeEvent*) {
+void Viewport::layOut() {
   const double ratio = devicePixelRatioF();
-  geometry_.setView((QSizeF(size()) * ratio).toSize(), kFitMargin * ratio);
+  geometry_.setView(split_.paneOf((QSizeF(size()) * ratio).toSize()), kFitMargin * ratio);
   viewMoved();
+}
+
+void Viewport::moveLine(double x) {
+  split_.moveLineTo(x, width());
+  update();
+}
+
+void Viewport::resizeEvent(QResizeEvent*) {
+  layOut();
   if (const auto place = std::exchange(placeToShow_, {})) showPlace(place->first, place->second);
 }
 
@@ -248,6 +307,8 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   if (pans) {
     grabbed_ = event->position();
     updateShape();
+  } else if (event->button() == Qt::LeftButton && split_.isOnLine(event->position(), width())) {
+    wiping_ = true;
   } else if (event->button() == Qt::LeftButton) {
     pressed_ = event->position();
   }
@@ -262,6 +323,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     viewMoved();
     return;
   }
+  if (wiping_) moveLine(event->position().x());
+  updateShape();
   if (pressed_) {
     const int far = QGuiApplication::styleHints()->startDragDistance();
     if ((event->position() - *pressed_).manhattanLength() >= far) pressed_.reset();
@@ -272,6 +335,9 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (grabbed_) {
     grabbed_.reset();
+    updateShape();
+  } else if (wiping_ && event->button() == Qt::LeftButton) {
+    wiping_ = false;
     updateShape();
   } else if (pressed_ && event->button() == Qt::LeftButton) {
     const std::optional<QPoint> pixel = pixelAt(*pressed_);
@@ -293,6 +359,11 @@ void Viewport::hideEvent(QHideEvent*) {
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
   const double far = kArrowDistance * devicePixelRatioF();
+  const bool isSideways = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
+  if (split_.mode == SplitMode::wipe && isSideways && event->modifiers() == Qt::ShiftModifier) {
+    const double step = event->key() == Qt::Key_Left ? -kWipeStep : kWipeStep;
+    return moveLine((split_.position + step) * width());
+  }
   QPointF move;
   switch (event->key()) {
     case Qt::Key_Left:

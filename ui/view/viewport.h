@@ -6,7 +6,8 @@
 //
 // The arrow keys pan, and so do space and drag, or the middle button; the wheel zooms about the
 // cursor. While the cursor is over the view space is held for it, whatever has the keyboard, unless
-// that is a field of text. Interface thread only.
+// that is a field of text. The line of a wipe is dragged, or moved with shift and the arrow keys.
+// Interface thread only.
 
 #include <optional>
 #include <utility>
@@ -16,10 +17,11 @@
 #include <QWidget>
 
 #include "core/base/rect.h"
+#include "ui/color/color_bar.h"
 #include "ui/view/band_scrubber.h"
-#include "ui/view/color_bar.h"
 #include "ui/view/hatching.h"
 #include "ui/view/picture_images.h"
+#include "ui/view/picture_split.h"
 #include "ui/view/view_geometry.h"
 
 namespace cutis {
@@ -40,6 +42,19 @@ class Viewport : public QWidget {
   void setDetail(const QImage& image, const Rect& covered, int step);
   // No picture.
   void clear();
+
+  // A second picture of the same place, shared with as `mode` says; the line of a wipe stays where
+  // it was. What is hatched and the colour bar are of the first.
+  void setSplit(SplitMode mode, const QString& firstName, const QString& secondName);
+  SplitMode splitMode() const { return split_.mode; }
+  // As setOverview() and setDetail(), of the second picture.
+  void setSecondOverview(const QImage& image);
+  void setSecondDetail(const QImage& image, const Rect& covered, int step);
+  void clearSecond();
+  // Where the line of a wipe is, as a share of the width.
+  double wipePosition() const { return split_.position; }
+  // What is seen of the picture, with all that lies over it.
+  QImage picture();
 
   // A bar in the lower left corner; nothing hides it.
   const std::optional<ColorBarSpec>& colorBar() const;
@@ -119,9 +134,12 @@ class Viewport : public QWidget {
   void updateShape();
   void drawNotice(QPainter& painter) const;
   void drawHatching(QPainter& painter);
+  void moveLine(double x);
+  void layOut();
 
   ViewGeometry geometry_;
   PictureImages images_;
+  PictureSplit split_;
   MarkedSamples marks_;
   QImage hatching_;  // over the whole view; null: of another place or time
   ColorBarControl* colorBar_;
@@ -134,6 +152,7 @@ class Viewport : public QWidget {
   std::optional<QPointF> cursor_;   // device-independent, while over the widget
   std::optional<QPointF> grabbed_;  // where the picture was last dragged to
   std::optional<QPointF> pressed_;  // where a click may end
+  bool wiping_ = false;             // the line of the wipe is held
   bool cursorOnPicture_ = false;
   bool spaceHeld_ = false;
   bool showFocus_ = false;

@@ -19,21 +19,23 @@
 #include "ui/commands/command_registry.h"
 #include "ui/commands/shortcut_settings.h"
 #include "ui/commands/shortcut_sheet.h"
+#include "ui/compare/comparison_controller.h"
 #include "ui/dialogs/open_controller.h"
 #include "ui/dialogs/reopen_controller.h"
 #include "ui/dialogs/save_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/documents/document_page.h"
 #include "ui/documents/document_tabs.h"
+#include "ui/documents/job_display.h"
+#include "ui/menus/command_catalogue.h"
+#include "ui/menus/editor.h"
 #include "ui/theme/theme.h"
+#include "ui/view/adjustment_bar.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/progress_strip.h"
 #include "ui/window/close_guard.h"
-#include "ui/window/command_catalogue.h"
-#include "ui/window/editor.h"
 #include "ui/window/file_thumbnails.h"
-#include "ui/window/job_display.h"
 #include "ui/window/recent_menu.h"
 #include "ui/window/recovery.h"
 #include "ui/window/source_finder.h"
@@ -57,6 +59,7 @@ MainWindow::MainWindow(std::unique_ptr<Engine> engine, QWidget* parent)
       start_(new StartPage(this)),
       progress_(new ProgressStrip(this)),
       jobDisplay_(new JobDisplay(*progress_, this)),
+      adjustments_(new AdjustmentBar(this)),
       exportButton_(new QPushButton(tr("Export edited albedo…"), this)),
       commands_(new CommandRegistry(*this)),
       opener_(new OpenController(jobs_, *progress_, this)),
@@ -145,13 +148,21 @@ void MainWindow::layOut() {
   column->addWidget(progress_);
   setCentralWidget(central);
   setAcceptDrops(true);
+  layOutCorner();
+}
+
+void MainWindow::layOutCorner() {
   // The way out stays in sight, whatever the docks do.
   auto* corner = new QWidget(this);
   auto* row = new QHBoxLayout(corner);
   row->setContentsMargins(0, 2, theme::kSpace, 1);
+  row->setSpacing(theme::kDoubleSpace);
+  row->addWidget(adjustments_);
   row->addWidget(exportButton_);
   menuBar()->setCornerWidget(corner);
   connect(exportButton_, &QPushButton::clicked, this, [this] { commands_->run("file.export"); });
+  connect(adjustments_, &AdjustmentBar::chosen, this,
+          [this](const ViewAdjustment& adjustment) { views().setAdjustment(adjustment); });
 }
 
 void MainWindow::connectStartPage() {
@@ -196,6 +207,11 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::rangeChanged, this, &MainWindow::refreshCommands);
+  connect(&page.views(), &ViewController::adjustmentChanged, this, [this] {
+    adjustments_->setAdjustment(views().adjustment());
+    refreshCommands();
+  });
+  connect(&page.comparison(), &ComparisonController::changed, this, &MainWindow::refreshCommands);
   connect(&page.workspace(), &Workspace::docksChanged, this, &MainWindow::refreshCommands);
 }
 
@@ -229,6 +245,8 @@ void MainWindow::showCurrent() {
   showTitle();
   // First, as it may make the menu bar higher: the workspace lays out its docks when it is shown.
   exportButton_->setVisible(isOpen);
+  adjustments_->setVisible(isOpen);
+  adjustments_->setAdjustment(views().adjustment());
   if (!isOpen) showRecentFiles();
   contents_->setCurrentWidget(isOpen ? static_cast<QWidget*>(tabs_) : start_);
   progress_->setMessagesShown(isOpen);

@@ -18,6 +18,7 @@ class QStackedWidget;
 
 namespace cutis {
 
+class AdjustmentBar;
 class CloseGuard;
 class CommandRegistry;
 class Document;
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
  private:
   void fillTables();
   void layOut();
+  void layOutCorner();
   void connectStartPage();
   void connectOpening();
   void connectPage(DocumentPage& page);
@@ -108,6 +110,7 @@ class MainWindow : public QMainWindow {
   StartPage* start_;
   ProgressStrip* progress_;
   JobDisplay* jobDisplay_;
+  AdjustmentBar* adjustments_;
   QPushButton* exportButton_;
   CommandRegistry* commands_;
   OpenController* opener_;

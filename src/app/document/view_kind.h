@@ -1,4 +1,4 @@
-#pragma once  // internal to src/app/document
+#pragma once
 
 // The views of a scene, what each is made of, and which of them a scene can be shown as.
 //

@@ -2,6 +2,9 @@
 
 // What the editor can show of a scene, computed part by part.
 
+#include <memory>
+#include <vector>
+
 #include "core/base/job_context.h"
 #include "core/base/rect.h"
 #include "core/base/result.h"
@@ -16,10 +19,11 @@ namespace cutis {
 
 struct ViewRequest {
   ViewKind view = ViewKind::photograph;
-  Rect rect;                    // of the picture, in pixels
-  int step = 1;                 // every step-th pixel of every step-th row
-  PixelMarks marks = 0;         // that are wanted with it
-  double wavelengthNm = 550.0;  // of the view `band`, 300 to 1000
+  Rect rect;                                         // of the picture, in pixels
+  int step = 1;                                      // every step-th pixel of every step-th row
+  PixelMarks marks = 0;                              // that are wanted with it
+  double wavelengthNm = 550.0;                       // of the view `band`, 300 to 1000
+  std::shared_ptr<const EditStack> edits = nullptr;  // instead of the scene's; null: the scene's
   bool operator==(const ViewRequest&) const = default;
 };
 

@@ -9,8 +9,12 @@ constexpr int kCoarserWhileMoving = 2;
 // Longer than the pause between two moves of a hand; the sharp picture comes this much later.
 constexpr int kRestMs = 30;
 
-bool showsMaps(ViewKind view) {
-  return !isPhotograph(view);
+bool showsMaps(const ViewRequest& request) {
+  return !isPhotograph(request.view);
+}
+
+bool showsEdits(const ViewRequest& request) {
+  return showsMaps(request) && request.edits == nullptr;
 }
 
 }  // namespace
@@ -60,7 +64,7 @@ void ViewServer::connectDocument() {
     // A part of the old scene must not be taken for one of the new.
     cancelJob();
     forgetSamples();
-    invalidate([](ViewKind) { return true; });
+    invalidate([](const ViewRequest&) { return true; });
   });
   connect(&document_, &Document::editsChanged, this, &ViewServer::editsChanged);
   // Means are made of what is complete.
@@ -73,12 +77,12 @@ void ViewServer::editsChanged(bool moving) {
   moving ? restTimer_.start() : restTimer_.stop();
   // A part at full resolution that is out of date would only delay the next.
   if (moving && job_ != 0 && task_.quality != Quality::coarse) cancelJob();
-  invalidate(showsMaps);
+  invalidate(showsEdits);
 }
 
 void ViewServer::controlRests() {
   resting_ = true;
-  invalidate(showsMaps);
+  invalidate(showsEdits);
 }
 
 std::unique_ptr<ViewWatch> ViewServer::watch(ViewPriority priority, ViewWatch::Show show) {
@@ -92,16 +96,16 @@ void ViewServer::setPicture(const PictureRequest& picture) {
   if (picture == picture_) return;
   picture_ = picture;
   forgetSamples();
-  invalidate([](ViewKind view) { return view == ViewKind::skin; });
+  invalidate([](const ViewRequest& request) { return request.view == ViewKind::skin; });
 }
 
 bool ViewServer::isIdle() const {
   return job_ == 0 && !restTimer_.isActive() && mostUrgent() == nullptr && notAveraged() == nullptr;
 }
 
-void ViewServer::invalidate(const std::function<bool(ViewKind)>& concerns) {
+void ViewServer::invalidate(const std::function<bool(const ViewRequest&)>& concerns) {
   for (const auto& [id, watch] : watches_) {
-    if (!concerns(watch->request_.view) || watch->request_.rect.empty()) continue;
+    if (!concerns(watch->request_) || watch->request_.rect.empty()) continue;
     watch->due_ = true;
     watch->averageDue_ = false;
   }
@@ -184,9 +188,11 @@ void ViewServer::start(ViewWatch& watch, Quality quality) {
       quality == Quality::coarse || (quality == Quality::sharp && document_.isFitted() && hasMeans);
   task_ = {watch.id_, quality,        isDraft ? ViewAccuracy::draft : ViewAccuracy::exact,
            hasMeans,  watch.request_, state_};
+  Scene scene = document_.scene();
+  if (watch.request_.edits != nullptr) scene.edits = *watch.request_.edits;
   job_ = jobs_.startQuiet(
       [this, task = task_, known = Made{nullptr, watch.samples_, watch.coarse_, skin_},
-       scene = document_.scene(), picture = picture_](const JobRunner::Handle& job) {
+       scene = std::move(scene), picture = picture_](const JobRunner::Handle& job) {
         auto made = make(task, known, scene, picture, job.context);
         if (made.failed()) {
           job.post([this, sentence = QString::fromStdString(made.error().text())] {

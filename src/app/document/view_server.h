@@ -121,7 +121,7 @@ class ViewServer : public QObject {
   void editsChanged(bool moving);
   void controlRests();
   // Marks what `concerns` says as due.
-  void invalidate(const std::function<bool(ViewKind)>& concerns);
+  void invalidate(const std::function<bool(const ViewRequest&)>& concerns);
   // Samples are of another state now.
   void forgetSamples();
   void forget();

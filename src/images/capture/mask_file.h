@@ -28,9 +28,9 @@ struct MaskedPicture {
 };
 
 // The mask in an image of any kind: its alpha where there is a shape in it, else the only colour
-// with a shape in it, else the luminance of its colours; clamped to [0, 1], NaN counts as 0. Colours
-// count as they are stored, without a colour space. A notice says which of several shapes was taken,
-// and that a mask is empty or full. An input error if the size does not fit.
+// with a shape in it, else the luminance of its colours; clamped to [0, 1], NaN counts as 0.
+// Colours count as they are stored, without a colour space. A notice says which of several shapes
+// was taken, and that a mask is empty or full. An input error if the size does not fit.
 Result<Plane> readMask(const std::filesystem::path& path, const MaskedPicture& picture,
                        const std::shared_ptr<TileStore>& store, const JobContext& context);
 

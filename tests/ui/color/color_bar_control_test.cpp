@@ -1,4 +1,4 @@
-#include "ui/view/color_bar_control.h"
+#include "ui/color/color_bar_control.h"
 
 #include <algorithm>
 #include <cmath>

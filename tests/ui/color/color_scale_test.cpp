@@ -1,6 +1,6 @@
 // Ottosson 2020 for OKLab; Viénot, Brettel and Mollon 1999 for simulated deuteranopia.
 
-#include "ui/view/color_scale.h"
+#include "ui/color/color_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
-#include "ui/view/oklab.h"
+#include "ui/color/oklab.h"
 
 namespace cutis {
 namespace {

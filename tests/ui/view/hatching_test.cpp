@@ -7,6 +7,7 @@
 
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
+#include "ui/color/hatch_pattern.h"
 #include "ui/view/view_geometry.h"
 
 namespace cutis {

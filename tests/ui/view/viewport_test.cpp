@@ -11,7 +11,7 @@
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
-#include "ui/view/color_bar.h"
+#include "ui/color/color_bar.h"
 
 namespace cutis {
 namespace {
