@@ -97,13 +97,13 @@ CompareRows partnerRows(const Editor& editor) {
   CompareRows rows = {
       partnerRow(editor, Partner::original, "original", tr("With the &original"),
                  tr("The photograph; for a map, the map without edits"),
-                 QKeySequence(tr("Ctrl+1"))),
+                 QKeySequence(tr("Ctrl+5"))),
       partnerRow(editor, Partner::reconstruction, "reconstruction", tr("With the s&kin model"),
-                 tr("What the model makes of the skin without edits"), QKeySequence(tr("Ctrl+2"))),
+                 tr("What the model makes of the skin without edits"), QKeySequence(tr("Ctrl+6"))),
       partnerRow(editor, Partner::edited, "edited", tr("With the &edited albedo"),
-                 tr("What an export writes"), QKeySequence(tr("Ctrl+3"))),
+                 tr("What an export writes"), QKeySequence(tr("Ctrl+7"))),
       partnerRow(editor, Partner::kept, "kept", tr("With the &kept edits"),
-                 tr("The same view, with the edits that were kept"), QKeySequence(tr("Ctrl+4"))),
+                 tr("The same view, with the edits that were kept"), QKeySequence(tr("Ctrl+8"))),
   };
   rows.front().beginsSection = true;
   rows.back().objection = [editor] {

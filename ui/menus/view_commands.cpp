@@ -135,13 +135,7 @@ ViewRows adjustmentCommands(const Editor& editor) {
        .toolTip = tr("Back to exposure 0 and gamma 1"),
        .shortcuts = {QKeySequence(tr("Ctrl+0"))},
        .run = [editor] { editor.page().views().setAdjustment({}); },
-       .objection =
-           [editor] {
-             if (!editor.document().isOpen()) return nothingOpen(editor);
-             return editor.page().views().adjustment().isNeutral()
-                        ? tr("The view is neutral already")
-                        : QString();
-           }},
+       .objection = objection},
   };
 }
 

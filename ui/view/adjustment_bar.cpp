@@ -43,7 +43,6 @@ AdjustmentBar::AdjustmentBar(QWidget* parent)
   for (const auto& [text, field] :
        {std::pair{tr("View exp."), stops_}, std::pair{tr("γ"), gamma_}}) {
     auto* label = new QLabel(text, this);
-    theme::dimText(*label);
     label->setBuddy(field);
     row->addWidget(label);
     row->addWidget(field);
@@ -77,10 +76,12 @@ void AdjustmentBar::choose() {
 void AdjustmentBar::mark() {
   const bool isNeutral = adjustment().isNeutral();
   reset_->setEnabled(!isNeutral);
-  QPalette palette = stops_->palette();
-  palette.setColor(QPalette::Text, isNeutral ? theme::tones().text : theme::tones().accent);
-  stops_->setPalette(palette);
-  gamma_->setPalette(palette);
+  for (QLabel* label : findChildren<QLabel*>()) {
+    QPalette palette = label->palette();
+    palette.setColor(QPalette::WindowText,
+                     isNeutral ? theme::tones().dimText : theme::tones().accent);
+    label->setPalette(palette);
+  }
 }
 
 }  // namespace cutis

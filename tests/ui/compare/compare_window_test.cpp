@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QtTest>
 
@@ -29,6 +30,13 @@ constexpr int kComparePatienceMs = 120000;
 // Of the picture's lower part, where neither names nor bars are.
 constexpr double kRow = 0.7;
 
+// A sample stands in until the mean of its pixels is made.
+bool isClose(QRgb a, QRgb b) {
+  constexpr int kMost = 3;
+  return std::abs(qRed(a) - qRed(b)) <= kMost && std::abs(qGreen(a) - qGreen(b)) <= kMost &&
+         std::abs(qBlue(a) - qBlue(b)) <= kMost;
+}
+
 class CompareWindowTest : public test::UiTest {
   Q_OBJECT
 
@@ -38,6 +46,7 @@ class CompareWindowTest : public test::UiTest {
   void theWipeShowsBothAndIsDragged() {
     const QImage original = shown(ViewKind::photograph);
     const QImage edited = shown(ViewKind::editedAlbedo);
+    QVERIFY(!isClose(original.pixel(500, 400), edited.pixel(500, 400)));
     press(Qt::Key_W);
     QCOMPARE(view().splitMode(), SplitMode::wipe);
     const int line = static_cast<int>(view().width() * view().wipePosition());
@@ -108,13 +117,15 @@ class CompareWindowTest : public test::UiTest {
     expectSides(after, before, line);
   }
 
-  // A switch that is held must not flicker.
-  void nothingIsMadeWhileNothingIsCompared() {
-    ComparisonController& comparison = page().comparison();
-    QCOMPARE(comparison.mode(), ComparisonMode::none);
-    window_->views().show(ViewKind::editedAlbedo);
-    waitUntilIdle();
-    QVERIFY(page().server().isIdle());
+  // Where a list is searched by typing, letters are no commands.
+  void aListKeepsItsLetters() {
+    for (QComboBox* list : window_->findChildren<QComboBox*>()) {
+      if (list->accessibleName() != "Light source") continue;
+      list->setFocus();
+      QTest::keyClicks(list, "Tw");
+    }
+    QCOMPARE(view().splitMode(), SplitMode::none);
+    QVERIFY(!page().comparison().isTurned());
   }
 
   void thePictureIsCopied() {
@@ -135,7 +146,6 @@ class CompareWindowTest : public test::UiTest {
     QCOMPARE(window_->commands().run("view.neutral"), QString());
     QVERIFY(shown(ViewKind::photograph) == neutral);
     QVERIFY(bar->adjustment().isNeutral());
-    QVERIFY(!window_->commands().action("view.neutral")->isEnabled());
   }
 
  private:
@@ -153,11 +163,12 @@ class CompareWindowTest : public test::UiTest {
   // Left of the line the first, right of it the second, a few pixels from either.
   void expectSides(const QImage& first, const QImage& second, int line) {
     const QImage seen = view().grab().toImage();
+    QVERIFY(first.size() == seen.size() && second.size() == seen.size());
     const int y = static_cast<int>(kRow * seen.height());
     for (int x = 0; x < seen.width(); x += 3) {
       if (std::abs(x - line) < 12) continue;
       const QRgb wanted = (x < line ? first : second).pixel(x, y);
-      QVERIFY2(seen.pixel(x, y) == wanted, qPrintable(QString::number(x)));
+      QVERIFY2(isClose(seen.pixel(x, y), wanted), qPrintable(QString::number(x)));
     }
   }
   void waitUntilIdle() {
