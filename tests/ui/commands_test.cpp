@@ -34,11 +34,12 @@ namespace {
 
 constexpr int kCommandPatienceMs = 120000;
 // Commands of another document, or of none; see DocumentTabsTest. Those of files are not for the
-// sample; see MaskWindowTest; nor is there anything to cancel or to fit again.
+// sample; see MaskWindowTest; nor is there anything to cancel, to fit again or to compare
+// with.
 const QStringList kLeavingCommands = {
     "file.quit",        "file.close",      "view.nextDocument", "view.previousDocument",
     "file.interpretAs", "file.chooseMask", "file.removeMask",   "edit.cancelJob",
-    "fit.again"};
+    "fit.again",        "compare.kept"};
 // Of more lights than the sample has, and of what its fit does not find.
 const QStringList kOtherViews = {
     "view.shading", "view.oxygenation", "view.thickness", "view.light4", "view.light5",

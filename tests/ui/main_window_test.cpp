@@ -3,6 +3,7 @@
 #include "ui/window/main_window.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QDropEvent>
@@ -162,7 +163,10 @@ class MainWindowTest : public test::UiTest {
     }
     QVERIFY(lights != nullptr);
     lights->setFocus();
-    QTest::keyClicks(lights, "Tungsten");
+    // Open it is searched by typing; closed, letters are commands of the picture.
+    lights->showPopup();
+    QTest::keyClicks(lights->view(), "Tungsten");
+    QTest::keyClick(lights->view(), Qt::Key_Return);
     waitUntilIdle();
     QCOMPARE(lights->currentData().toString(), "A");
     QCOMPARE(window_->views().current(), ViewKind::skin);

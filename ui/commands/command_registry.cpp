@@ -2,9 +2,6 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QApplication>
-#include <QComboBox>
-#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -51,17 +48,7 @@ QString objectionTo(const CommandDescription& command) {
 
 }  // namespace
 
-CommandRegistry::CommandRegistry(QWidget& window) : QObject(&window), window_(window) {
-  qApp->installEventFilter(this);
-}
-
-bool CommandRegistry::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::ShortcutOverride || !qobject_cast<QComboBox*>(watched)) return false;
-  const auto* key = static_cast<const QKeyEvent*>(event);
-  const bool isBare = (key->modifiers() & ~Qt::ShiftModifier) == Qt::NoModifier;
-  if (isBare && !key->text().isEmpty() && key->text().front().isLetterOrNumber()) event->accept();
-  return false;
-}
+CommandRegistry::CommandRegistry(QWidget& window) : QObject(&window), window_(window) {}
 
 void CommandRegistry::add(const std::vector<CommandDescription>& commands) {
   for (const CommandDescription& command : commands) {

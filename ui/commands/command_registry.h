@@ -46,10 +46,6 @@ class CommandRegistry : public QObject {
   // Call it when what they depend on has changed; whatever a command itself changes is seen to.
   void refresh();
 
- protected:
-  // A list of choices is searched by typing: it keeps the letters that are commands elsewhere.
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   struct Entry {
     std::size_t row;

@@ -16,7 +16,7 @@ namespace view_marks {
 
 constexpr int kPatienceMs = 120000;
 constexpr PixelMarks kEvery = kNotSkin | kAtBound | kMostlyPrior;
-constexpr ViewRequest kBlend = {ViewKind::melaninBlend, {0, 0, 1024, 1024}, 4, kEvery};
+const ViewRequest kBlend = {ViewKind::melaninBlend, {0, 0, 1024, 1024}, 4, kEvery};
 
 std::size_t countOf(const ViewPart& part, PixelMark mark) {
   return static_cast<std::size_t>(std::count_if(part.marks.begin(), part.marks.end(),

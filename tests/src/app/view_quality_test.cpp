@@ -18,7 +18,7 @@ namespace {
 namespace view_quality {
 
 constexpr int kPatienceMs = 120000;
-constexpr ViewRequest kAlbedo = {ViewKind::editedAlbedo, {300, 300, 501, 421}, 3};
+const ViewRequest kAlbedo = {ViewKind::editedAlbedo, {300, 300, 501, 421}, 3};
 
 Command flush(double factor, bool moving) {
   return {"flush", "flush",

@@ -4,7 +4,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QtTest>
 
@@ -115,17 +114,6 @@ class CompareWindowTest : public test::UiTest {
     press(Qt::Key_W);
     const int line = static_cast<int>(view().width() * view().wipePosition());
     expectSides(after, before, line);
-  }
-
-  // Where a list is searched by typing, letters are no commands.
-  void aListKeepsItsLetters() {
-    for (QComboBox* list : window_->findChildren<QComboBox*>()) {
-      if (list->accessibleName() != "Light source") continue;
-      list->setFocus();
-      QTest::keyClicks(list, "Tw");
-    }
-    QCOMPARE(view().splitMode(), SplitMode::none);
-    QVERIFY(!page().comparison().isTurned());
   }
 
   void thePictureIsCopied() {
