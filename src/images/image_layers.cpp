@@ -79,7 +79,7 @@ std::string nameIn(const ImagePart& part, const ImageLayer& layer, bool severalP
 }
 
 std::string shownName(const ImageLayer& layer) {
-  if (!layer.name.empty()) return "'" + layer.name + "'";
+  if (!layer.name.empty()) return inQuotes(layer.name);
   return wordList(layer.channelNames, ", ");
 }
 

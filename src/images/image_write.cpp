@@ -223,7 +223,7 @@ Result<bool> isSourceThere(const ImageContent& content, const std::string& place
 struct Headers {
   OIIO::ImageSpec full;
   OIIO::ImageSpec plain;  // without what was carried over
-  std::string pngChunks;
+  std::string inserted;
 };
 
 Headers headersOf(const OIIO::ImageSpec& plain, const ImageContent& content,
@@ -237,7 +237,7 @@ Headers headersOf(const OIIO::ImageSpec& plain, const ImageContent& content,
     context.say(place + ": " + std::string(format.name) + " cannot say here that its colours are " +
                 content.colorSpace.name + "; name it when you use the file");
   }
-  headers.pngChunks = stated.pngChunks;
+  headers.inserted = stated.inserted;
   return headers;
 }
 
@@ -264,7 +264,7 @@ Status writeAnew(const std::filesystem::path& path, const ImageContent& given,
   const OutputPart part = outputPart(headers.full, content, channels, format);
   return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Status {
     CUTIS_TRY(losses, writeParts(temporary, place, format.kind, type, {part}, {headers.plain},
-                                 headers.pngChunks, context));
+                                 headers.inserted, context));
     sayLosses(losses, type, place, context);
     return {};
   });

@@ -69,12 +69,10 @@ std::filesystem::path folderOf(const CaptureCandidates& candidates) {
   return commonFolder(files);
 }
 
-// That of all, or raw where they differ.
-std::string commonEncoding(const CaptureCandidates& candidates) {
-  const std::string& first = candidates.photographs.front().encoding;
-  const bool same = std::all_of(candidates.photographs.begin(), candidates.photographs.end(),
-                                [&](const auto& other) { return other.encoding == first; });
-  return same ? first : "raw";
+// That of the first: what the others say is compared with it when the capture is read, and two
+// names may well stand for one curve. Numbers that nobody declared linear are never taken for it.
+std::string usualEncoding(const CaptureCandidates& candidates) {
+  return candidates.photographs.front().encoding;
 }
 
 }  // namespace
@@ -194,7 +192,7 @@ QLayout* CaptureAssistant::form() {
     encoding_->addItem(tr("Curve of %1").arg(QString::fromStdString(name)),
                        QString::fromStdString(name));
   encoding_->setCurrentIndex(
-      encoding_->findData(QString::fromStdString(commonEncoding(candidates_))));
+      encoding_->findData(QString::fromStdString(usualEncoding(candidates_))));
   encoding_->setAccessibleName(tr("Numbers"));
   encoding_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   encoding_->setToolTip(tr("How the numbers of the photographs follow the light"));

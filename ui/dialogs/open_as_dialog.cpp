@@ -8,11 +8,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "ui/dialogs/file_field.h"
 #include "ui/theme/theme.h"
+#include "ui/widgets/panel_scroll.h"
 
 namespace cutis {
 namespace {
@@ -75,16 +75,22 @@ OpenAsDialog::OpenAsDialog(const std::filesystem::path& path, const ImageInspect
   addExposure(*form);
   form->addRow(tr("&Mask"), mask_);
 
+  // Sentences may be long and the dialog small: what is above the buttons scrolls.
+  auto* contents = new QWidget;
+  auto* rows = new QVBoxLayout(contents);
+  rows->setContentsMargins(0, theme::kSpace, 0, 0);
+  rows->setSpacing(theme::kSpace);
+  rows->addWidget(heading(reason));
+  rows->addSpacing(theme::kSpace);
+  rows->addLayout(form);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(theme::kDoubleSpace, theme::kDoubleSpace, theme::kDoubleSpace,
-                             theme::kDoubleSpace);
+  column->setContentsMargins(0, 0, 0, theme::kDoubleSpace);
   column->setSpacing(theme::kSpace);
-  column->addWidget(heading(reason));
-  column->addSpacing(theme::kSpace);
-  column->addLayout(form);
-  column->addStretch(1);
-  column->addSpacing(theme::kSpace);
-  column->addWidget(buttons());
+  column->addWidget(new PanelScroll(contents, this), 1);
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(theme::kDoubleSpace, 0, theme::kDoubleSpace, 0);
+  foot->addWidget(buttons());
+  column->addLayout(foot);
   showLayer();
   resize(sizeHint().expandedTo({520, 0}));
 }

@@ -272,6 +272,8 @@ QMenuBar QPushButton:focus { padding: 0 11px; }
 QPushButton[primary="true"] { color: #101010; background: @accent; border-color: @accent; }
 QPushButton[primary="true"]:hover { background: #86b8e6; }
 QPushButton[primary="true"]:pressed { background: #5a92c6; }
+QPushButton[primary="true"]:disabled { color: #787878; background: transparent;
+  border-color: #3a3a3a; }
 QPushButton[primary="true"]:focus { border: 2px solid @text; outline: none; }
 QToolButton[segment="true"] { color: @dim; background: @field; border: 1px solid @line;
   padding: 4px 6px; }

@@ -17,6 +17,7 @@ constexpr double kMaximumAbsorptionPerMm = 1e6;
 // From clear water to chalk and far beyond both; what transport computes holds between them.
 constexpr double kLeastScatteringPerMm = 1e-3, kMostScatteringPerMm = 1e4;
 constexpr double kLargestMaximum = 1e6;
+constexpr double kSteepestPower = 20.0;
 
 // A shift or a smoothing beyond it would be another chromophore.
 constexpr double kMaximumShiftNm = 100.0;
@@ -123,6 +124,8 @@ Status validateFat(const Profile& profile, const std::string& place) {
 }
 
 Status validateLaw(const PowerLaw& law, const std::string& place, const std::string& field) {
+  CUTIS_CHECK(require(std::abs(law.exponent) <= kSteepestPower, place, field + ".exponent",
+                      "between -20 and 20"));
   return require(law.referenceNm > 0.0 && std::isfinite(law.referenceNm), place, field + ".at_nm",
                  "positive");
 }

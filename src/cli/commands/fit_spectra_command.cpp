@@ -112,8 +112,8 @@ void addFitSpectraCommand(CLI::App& app, Invocation& invocation) {
                  "Parameters of the skin that comes closest to measured reflectance spectra",
                  options, runFitSpectraCommand);
   addOption(command, "MEASURED", options->measured, "",
-            "Comma-separated values: reflectance from 0 to 1, wavelengths in nm in the first "
-            "row (one spectrum a row) or in the first column (one spectrum a column)")
+            "A table of reflectance spectra, with the wavelengths in its first row (one spectrum "
+            "a row) or its first column (one spectrum a column), or a spectrometer's own export")
       ->required();
   addOption(command, "-o,--output", options->output, "FILE",
             "File to write: id, the five parameters, what --free names and the RMSE of each "

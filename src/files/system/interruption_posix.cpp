@@ -71,9 +71,11 @@ Status onInterrupt(void (*handler)()) {
   } catch (const std::system_error&) {
     return failure;
   }
-  for (const int signal : {SIGINT, SIGTERM})
-    handle(signal);
-  if (!isIgnored(SIGHUP)) handle(SIGHUP);
+  // What was ignored at the start stays so: nohup asks for it, and shells do for jobs in the
+  // background.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (!isIgnored(signal)) handle(signal);
+  }
   for (const int signal : {SIGPIPE, SIGXFSZ})
     ::signal(signal, SIG_IGN);
   unblock();

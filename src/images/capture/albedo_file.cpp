@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -89,6 +90,33 @@ void widenGrey(Image& image) {
   image.layer.colors = {grey, grey + 1, grey + 2};
   if (image.layer.alpha > grey) image.layer.alpha += 2;
   image.isWidenedGrey = true;
+}
+
+Result<bool> isZeroEverywhere(const Plane& plane, const JobContext& context) {
+  std::atomic<bool> isZero = true;
+  CUTIS_CHECK(parallelFor(static_cast<std::size_t>(plane.tileCount()), {context.stop, {}, {}},
+                          [&](std::size_t i) -> Status {
+                            if (!isZero) return {};
+                            const Rect rect = plane.tileRect(static_cast<int>(i));
+                            std::vector<float> values(rect.pixelCount());
+                            CUTIS_CHECK(plane.load(rect, values));
+                            if (std::any_of(values.begin(), values.end(),
+                                            [](float v) { return v != 0.0f; }))
+                              isZero = false;
+                            return {};
+                          }));
+  return isZero.load();
+}
+
+// An alpha that would leave nothing of the picture is one that nobody meant.
+Status dropEmptyAlpha(Image& image, const std::string& place, const JobContext& context) {
+  if (image.layer.alpha < 0) return {};
+  const Plane& alpha = image.channels[static_cast<std::size_t>(image.layer.alpha)];
+  CUTIS_TRY(isEmpty, isZeroEverywhere(alpha, context));
+  if (!isEmpty) return {};
+  context.say(place + ": its alpha is 0 everywhere and is taken for none");
+  image.layer.alpha = -1;
+  return {};
 }
 
 class AlbedoReader {
@@ -194,6 +222,7 @@ Result<Albedo> readAlbedo(const std::filesystem::path& path, const AlbedoOptions
                      : ""));
     widenGrey(image);
   }
+  CUTIS_CHECK(dropEmptyAlpha(image, place, context));
   Plane mask;
   if (!options.mask.empty()) {
     const MaskedPicture picture = {image.width, image.height, inQuotes(place), image.frame.display,

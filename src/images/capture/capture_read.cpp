@@ -49,6 +49,7 @@ struct Photograph {
   bool multiplied = false;  // the colours are, by alpha
   std::array<float, 3> scale;
   bool integer = false;
+  Rect stored;  // what the file holds of the picture
 };
 
 // Whether numbers of the space mean the same light as by these curves, for people: a power of 2.2
@@ -107,6 +108,8 @@ class CaptureReader {
         photograph.planes[c] = image.channels[channels[c]];
       photograph.scale = entry.scale;
       photograph.integer = isInteger(image.sourceType);
+      photograph.stored = image.frame.stored;
+      sayWhatIsMissing(image, entry, part);
       if (image.layer.alpha >= 0) {
         photograph.alpha = image.channels[static_cast<std::size_t>(image.layer.alpha)];
         photograph.multiplied = image.alphaKind == AlphaKind::associated;
@@ -116,6 +119,14 @@ class CaptureReader {
       capture.sources.push_back({entry.file, image.contentHash});
     }
     return {};
+  }
+
+  static void sayWhatIsMissing(const Image& image, const CapturePhotograph& entry,
+                               const JobContext& context) {
+    const Rect whole = {0, 0, image.width, image.height};
+    if (intersection(image.frame.stored, whole) == whole) return;
+    context.say(entry.path.string() +
+                ": the file holds a part of the picture only; pixels beside it are left out");
   }
 
   // What a photograph says of its own numbers must be what capture.json says: one of them is wrong,
@@ -222,6 +233,13 @@ class CaptureReader {
         if (photograph.multiplied) divideByAlpha(channel, alpha);
         for (std::size_t p = 0; p < pixels; ++p) {
           if (alpha[p] == 0.0f) mask[p] = 0.0f;
+        }
+      }
+      if (!(intersection(photograph.stored, rect) == rect)) {
+        for (std::size_t p = 0; p < pixels; ++p) {
+          const int x = rect.x0 + static_cast<int>(p) % rect.width();
+          const int y = rect.y0 + static_cast<int>(p) / rect.width();
+          if (!photograph.stored.contains(x, y)) mask[p] = 0.0f;
         }
       }
       for (std::size_t p = 0; photograph.integer && p < pixels; ++p) {

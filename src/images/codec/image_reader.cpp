@@ -1,9 +1,11 @@
 #include "src/images/codec/image_reader.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 
+#include "core/base/echoed_text.h"
 #include "core/base/parallel.h"
 #include "src/images/codec/layout_check.h"
 #include "src/images/codec/oiio_text.h"
@@ -11,6 +13,7 @@
 #include "src/images/inputs/ink_jpeg_input.h"
 #include "src/images/inputs/luma_chroma_input.h"
 #include "src/images/inputs/png_check.h"
+#include "src/images/inputs/radiance_header.h"
 #include "src/images/inputs/tiff_check.h"
 #include "src/images/inputs/webp_chunks.h"
 
@@ -19,6 +22,8 @@ namespace {
 
 constexpr std::int64_t kReadBytes = std::int64_t{8} << 20;   // between two looks at the stop token
 constexpr std::int64_t kChunkBytes = std::int64_t{1} << 30;  // in memory at once
+constexpr int kTargaMultiplied = 4;  // attributes type of the extension area
+constexpr char kRadianceRgbe[] = "32-bit_rle_rgbe";
 
 std::optional<SampleType> sampleTypeOf(OIIO::TypeDesc type) {
   switch (type.basetype) {
@@ -57,11 +62,60 @@ void nameConverted(ImagePart& part) {
   if (part.spec.alpha_channel >= 0) part.spec.alpha_channel -= left;
 }
 
+// Whether 0 is white and OpenImageIO leaves it so, as it does beyond 8 bits.
+bool hasWhiteAtZero(ImageFileKind kind, const OIIO::ImageSpec& spec) {
+  return kind == ImageFileKind::tiff && spec.format != OIIO::TypeUInt8 &&
+         spec.get_int_attribute("tiff:PhotometricInterpretation", 1) == 0;
+}
+
+// SGI's logarithmic colours, of which OpenImageIO would make 8 bits without saying so.
+bool isLogLuv(ImageFileKind kind, const OIIO::ImageSpec& spec) {
+  const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation");
+  return kind == ImageFileKind::tiff && (photometric == 32844 || photometric == 32845);
+}
+
+// The channels of luminance and chroma without a layer, of full resolution.
+bool isWholeLumaChroma(const OIIO::ImageSpec& spec) {
+  const auto has = [&](const char* name) {
+    return std::find(spec.channelnames.begin(), spec.channelnames.end(), name) !=
+           spec.channelnames.end();
+  };
+  return has("Y") && has("RY") && has("BY") && !has("R");
+}
+
+// Rows of all stored channels in place.
+template <typename Sample>
+void turnWhite(const ImagePart& part, std::span<Sample> samples, Sample white) {
+  const auto channels = static_cast<std::size_t>(part.storedChannels);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (static_cast<int>(i % channels) == part.spec.alpha_channel) continue;
+    samples[i] = static_cast<Sample>(white - samples[i]);
+  }
+}
+
+// What the samples mean in place of what is stored.
+void giveMeaning(const ImagePart& part, std::byte* rows, std::size_t count) {
+  if (rowType(part) == OIIO::TypeUInt16) {
+    auto* samples = reinterpret_cast<std::uint16_t*>(rows);
+    if (part.isWhiteZero) turnWhite<std::uint16_t>(part, {samples, count}, 65535);
+  } else if (rowType(part) == OIIO::TypeFloat) {
+    auto* samples = reinterpret_cast<float*>(rows);
+    if (part.isWhiteZero) turnWhite<float>(part, {samples, count}, 1.0f);
+    if (part.factor == 1.0f) return;
+    for (std::size_t i = 0; i < count; ++i)
+      samples[i] *= part.factor;
+  }
+}
+
 // Whether OpenImageIO, asked to leave colours as they are stored, hands them over multiplied by
 // alpha.
 AlphaKind alphaKindOf(ImageFileKind kind, const OIIO::ImageSpec& spec) {
   if (spec.alpha_channel < 0 && kind != ImageFileKind::openExr) return AlphaKind::straight;
   if (spec.get_int_attribute("oiio:UnassociatedAlpha") != 0) return AlphaKind::straight;
+  // The reader of Targa files says so only where the file itself calls its alpha useful.
+  if (kind == ImageFileKind::targa)
+    return spec.get_int_attribute("targa:alpha_type") == kTargaMultiplied ? AlphaKind::associated
+                                                                          : AlphaKind::straight;
   // The reader of BMP divides nothing, and writers of BMP do not multiply. That of Photoshop files
   // does as it is asked and does not say so.
   const bool isStraight = kind == ImageFileKind::bmp || kind == ImageFileKind::psd;
@@ -154,6 +208,11 @@ Status ImageReader::openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints) {
     input_->close();
     if (input_->open(place_, spec, hints)) return {};
   }
+  if (kind_ == ImageFileKind::openExr && opened && isWholeLumaChroma(spec)) {
+    return inputError(place_,
+                      "OpenEXR files of luminance and chroma at full resolution are not "
+                      "supported; save it as RGB");
+  }
   if (kind_ == ImageFileKind::openExr && reason.find("Subsampled") != std::string::npos) {
     auto input = openLumaChroma(place_);
     if (input && input->open(place_, spec)) {
@@ -167,6 +226,13 @@ Status ImageReader::openInput(OIIO::ImageSpec& spec, OIIO::ImageSpec& hints) {
     return {};
   }
   if (opened) return {};
+  if (kind_ == ImageFileKind::radiance) {
+    const std::string format = readRadianceHeader(place_).format;
+    if (!format.empty() && format != kRadianceRgbe)
+      return inputError(place_, "Radiance HDR files with samples of the format '" +
+                                    shortened(format) +
+                                    "' are not supported; save it as RGBE or as OpenEXR");
+  }
   return damaged(reason);
 }
 
@@ -183,7 +249,13 @@ Result<ImagePart> ImageReader::part(int index) try {
     return inputError(place_, std::string("samples of type ") + spec.format.c_str() +
                                   " are not supported; convert to 8 or 16 bit, half or float");
   }
+  if (isLogLuv(kind_, spec)) {
+    return inputError(place_, "SGI LogLuv TIFF files are not supported; save it as OpenEXR");
+  }
   part.type = *type;
+  part.isWhiteZero = hasWhiteAtZero(kind_, spec);
+  if (kind_ == ImageFileKind::radiance)
+    part.factor = static_cast<float>(1.0 / readRadianceHeader(place_).exposure);
   part.storedChannels = spec.nchannels;
   part.otherColors = storedColorsOf(kind_, spec, place_);
   if (part.otherColors && part.otherColors->toLinearRec709) nameConverted(part);
@@ -307,6 +379,9 @@ Status ImageReader::readRows(const ImagePart& part, int y0, int y1, std::byte* r
   // A cut-off TIFF or JPEG reads with success; only the message says so.
   const std::string message = input_->geterror();
   if (!read || (!message.empty() && !isHarmless(kind_, message))) return damaged(message);
+  giveMeaning(part, rows,
+              static_cast<std::size_t>(y1 - y0) * static_cast<std::size_t>(spec.width) *
+                  static_cast<std::size_t>(part.storedChannels));
   return {};
 } catch (const std::bad_alloc&) {
   return noMemory(place_);

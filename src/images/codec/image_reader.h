@@ -44,6 +44,10 @@ struct ImagePart {
   Orientation orientation = Orientation::upright;
   AlphaKind alphaKind = AlphaKind::straight;
   SampleType type = SampleType::uint8;  // the widest of the channels
+  // What the file's samples are made to mean while they are read: 1 − sample where white is 0, and
+  // a factor.
+  bool isWhiteZero = false;
+  float factor = 1.0f;
   // With R, G and B where the file stores other colours.
   OIIO::ImageSpec spec;
   std::optional<StoredColors> otherColors;

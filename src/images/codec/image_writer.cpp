@@ -16,19 +16,21 @@ namespace {
 constexpr std::int64_t kWriteBytes = std::int64_t{8} << 20;  // between two looks at the stop token
 constexpr int kBlockRows = 32;                               // of the compressors
 constexpr std::int64_t kPngHeadBytes = 33;                   // the signature and IHDR
+constexpr std::int64_t kJpegHeadBytes = 20;                  // SOI and JFIF's APP0
 
 class Writer {
  public:
   Writer(const std::filesystem::path& file, const std::string& place, ImageFileKind kind,
-         SampleType type, const std::string& pngChunks)
-      : file_(file), place_(place), kind_(kind), type_(type), pngChunks_(pngChunks) {}
+         SampleType type, const std::string& inserted)
+      : file_(file), place_(place), kind_(kind), type_(type), inserted_(inserted) {}
 
   Status open(const std::vector<OIIO::ImageSpec>& specs) {
     specs_ = specs;
     output_.reset();
     // TIFF rereads what it wrote to add the EXIF block, and reports a full disk by itself.
     sink_ = kind_ == ImageFileKind::tiff ? nullptr : std::make_unique<OutputFile>(file_);
-    if (kind_ == ImageFileKind::png) sink_->insert(kPngHeadBytes, pngChunks_);
+    if (kind_ == ImageFileKind::png) sink_->insert(kPngHeadBytes, inserted_);
+    if (kind_ == ImageFileKind::jpeg) sink_->insert(kJpegHeadBytes, inserted_);
     output_ = OIIO::ImageOutput::create(std::string(imageFormat(kind_).libraryName), sink_.get());
     if (!output_) return refused("this build of OpenImageIO does not write the format");
     const bool opened =
@@ -94,7 +96,7 @@ class Writer {
   std::string place_;
   ImageFileKind kind_;
   SampleType type_;
-  std::string pngChunks_;
+  std::string inserted_;
   std::vector<OIIO::ImageSpec> specs_;
   std::unique_ptr<OutputFile> sink_;  // outlives output_
   OIIO::ImageOutput::unique_ptr output_;
@@ -273,10 +275,10 @@ Result<WriteLosses> writeParts(const std::filesystem::path& file, const std::str
                                ImageFileKind kind, SampleType type,
                                const std::vector<OutputPart>& parts,
                                const std::vector<OIIO::ImageSpec>& plain,
-                               const std::string& pngChunks, const JobContext& context) try {
+                               const std::string& inserted, const JobContext& context) try {
   setUpOpenImageIO();
   const LibrarySilence silence;
-  Writer writer(file, place, kind, type, pngChunks);
+  Writer writer(file, place, kind, type, inserted);
   CUTIS_CHECK(openWithMetadata(writer, parts, plain, place, context));
   WriteLosses losses;
   std::int64_t totalRows = 0, doneRows = 0;

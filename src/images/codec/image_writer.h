@@ -47,11 +47,11 @@ struct WriteLosses {
 // Writes to `file`, a temporary of writeAtomically; `place` is the name that errors give. What the
 // file cannot keep of the metadata must not keep it from being written: if the header is refused,
 // `plain` is tried, the same specs without what was carried over, and said in a notice.
-// Chunks of a PNG file are put behind its head.
+// inserted: what is put behind the head of a PNG or JPEG file (src/images/color/output_colors.h).
 Result<WriteLosses> writeParts(const std::filesystem::path& file, const std::string& place,
                                ImageFileKind kind, SampleType type,
                                const std::vector<OutputPart>& parts,
                                const std::vector<OIIO::ImageSpec>& plain,
-                               const std::string& pngChunks, const JobContext& context);
+                               const std::string& inserted, const JobContext& context);
 
 }  // namespace cutis

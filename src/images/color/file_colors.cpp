@@ -13,6 +13,7 @@
 #include "src/images/color/heif_color.h"
 #include "src/images/color/png_color.h"
 #include "src/images/color/tiff_color.h"
+#include "src/images/inputs/radiance_header.h"
 #include "src/images/inputs/webp_chunks.h"
 
 namespace cutis {
@@ -51,6 +52,7 @@ class Collector {
         addHeif();
         break;
       case ImageFileKind::radiance:
+        addRadiance();
         break;
       default:
         addProfile(iccProfileBytes(spec_), spec_.find_attribute("ICCProfile") != nullptr);
@@ -118,6 +120,11 @@ class Collector {
       add(ColorSource::acesContainer, "its attribute acesImageContainerFlag",
           builtInColorSpace(std::string(kAces2065.name)));
     }
+  }
+
+  void addRadiance() {
+    if (const auto primaries = readRadianceHeader(path_).primaries)
+      addPrimaries(ColorSource::chromaticities, "its line PRIMARIES", *primaries, {});
   }
 
   void addPng() {

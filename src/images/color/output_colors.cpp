@@ -7,6 +7,7 @@
 #include "src/color/icc_profile.h"
 #include "src/images/codec/oiio_text.h"
 #include "src/images/color/code_points.h"
+#include "src/images/color/jpeg_color.h"
 #include "src/images/color/png_color.h"
 
 namespace cutis {
@@ -76,6 +77,10 @@ StatedColors stateColors(ImageFileKind kind, const ColorSpace& space, OIIO::Imag
     if (chunkSays) spec.attribute("oiio:ColorSpace", kSrgb);
     const std::string chunks = chunkSays ? std::string() : pngChunksOf(space, spec, profile);
     return {chunkSays || !chunks.empty() || isSrgb, chunks};
+  }
+  if (kind == ImageFileKind::jpeg) {
+    const std::string segments = profileSegments(profile);
+    return {isSrgb || !segments.empty(), segments};
   }
   if (!profile.empty()) {
     spec.attribute("ICCProfile",

@@ -15,8 +15,9 @@ namespace cutis {
 struct StatedColors {
   // Whether a reader will find the space again.
   bool complete = true;
-  // Whole chunks to be put behind IHDR of a PNG file.
-  std::string pngChunks = {};
+  // What is to be put behind the head of the file: whole chunks behind IHDR of a PNG file, whole
+  // segments behind the first one of a JPEG file.
+  std::string inserted = {};
 };
 
 // Whether a file of this kind with colours in such samples can say that they are of this space.

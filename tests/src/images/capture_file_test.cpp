@@ -3,8 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#include <OpenImageIO/imageio.h>
 #include <QtTest>
 
+#include "core/skin/pixel_state.h"
 #include "src/images/image_file.h"
 #include "tests/src/images/image_fixture.h"
 #include "tests/support/expect.h"
@@ -84,6 +86,23 @@ class CaptureFileTest : public QObject {
     photograph("green.exr", 0.4f);
     photograph("sub/blue.exr", 0.25f);
     describe(kThreeLights);
+  }
+
+  // What lies beside a photograph's data window was not measured.
+  void pixelsBesideWhatIsStoredAreLeftOut() {
+    OIIO::ImageSpec spec(16, 10, 3, OIIO::TypeHalf);
+    spec.x = 4;
+    spec.full_width = 20;
+    spec.full_height = 10;
+    const std::vector<float> pixels(16 * 10 * 3, 0.4f);
+    const auto file = OIIO::ImageOutput::create("green.exr");
+    QVERIFY(file && file->open(path("green.exr").string(), spec));
+    QVERIFY(file->write_image(OIIO::TypeFloat, pixels.data()) && file->close());
+    const auto capture = read(folder_->root());
+    EXPECT_OK(capture);
+    const Plane& state = capture.value().measurements.state;
+    QCOMPARE(pixelOf(state, 3, 5), storedState(PixelState::masked));
+    QCOMPARE(pixelOf(state, 4, 5), storedState(PixelState::solved));
   }
 
   void channelsComeInTheOrderOfTheRig() {
