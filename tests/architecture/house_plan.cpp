@@ -132,15 +132,19 @@ constexpr Room kRooms[] = {
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},
     {"ui/edits", "core/* src/files/* src/app/* ui/theme ui/widgets ui/view ui/docks ui/dialogs"},
+    {"ui/spectrum",
+     "core/* src/files/* src/report/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view "
+     "ui/dialogs"},
     {"ui/documents",
      "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view ui/compare "
-     "ui/docks ui/dialogs ui/edits"},
+     "ui/docks ui/dialogs ui/edits ui/spectrum"},
     {"ui/menus",
      "core/base core/skin/profile src/app/* src/files/system ui/theme ui/color ui/commands ui/view "
-     "ui/compare ui/docks ui/dialogs ui/edits ui/documents"},
+     "ui/compare ui/docks ui/dialogs ui/edits ui/spectrum ui/documents"},
     {"ui/window",
      "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/color ui/commands ui/plot "
-     "ui/widgets ui/view ui/compare ui/docks ui/dialogs ui/edits ui/documents ui/menus"},
+     "ui/widgets ui/view ui/compare ui/docks ui/dialogs ui/edits ui/spectrum ui/documents "
+     "ui/menus"},
     {"src/cutis", "core/* src/files/* src/images/* src/color src/app/* ui/*"},
 };
 

@@ -25,10 +25,14 @@ class ExportController;
 class FitController;
 class LightController;
 class NoticeBar;
+class PinController;
 class PresetController;
 class ProgressStrip;
+class ReferenceCurves;
 class ReopenController;
 class SaveController;
+class SpectrumController;
+class SpectrumExport;
 class TrainingController;
 class ViewController;
 class Viewport;
@@ -82,6 +86,10 @@ class DocumentPage : public QWidget {
   EditController& edits() { return *edits_; }
   PresetController& presets() { return *presets_; }
   LightController& light() { return *light_; }
+  SpectrumController& spectrum() { return *spectrum_; }
+  PinController& pins() { return *pins_; }
+  SpectrumExport& spectrumExport() { return *spectrumExport_; }
+  ReferenceCurves& references() { return *references_; }
   FitController& fit() { return *fit_; }
   TrainingController& training() { return *training_; }
   ExportController& exports() { return *exports_; }
@@ -106,6 +114,10 @@ class DocumentPage : public QWidget {
   std::unique_ptr<EditController> edits_;
   std::unique_ptr<PresetController> presets_;
   std::unique_ptr<LightController> light_;
+  std::unique_ptr<SpectrumController> spectrum_;
+  std::unique_ptr<PinController> pins_;
+  std::unique_ptr<SpectrumExport> spectrumExport_;
+  std::unique_ptr<ReferenceCurves> references_;
   std::unique_ptr<FitController> fit_;
   std::unique_ptr<TrainingController> training_;
   std::unique_ptr<ExportController> exports_;

@@ -29,6 +29,7 @@
 #include "ui/documents/job_display.h"
 #include "ui/menus/command_catalogue.h"
 #include "ui/menus/editor.h"
+#include "ui/spectrum/pin_controller.h"
 #include "ui/theme/theme.h"
 #include "ui/view/adjustment_bar.h"
 #include "ui/view/view_controller.h"
@@ -203,6 +204,8 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(document, &Document::fitted, this, &MainWindow::refreshCommands);
   connect(document, &Document::editsChanged, this, &MainWindow::refreshCommands);
   connect(document, &Document::fitChoiceChanged, this, &MainWindow::refreshCommands);
+  connect(document, &Document::pinsChanged, this, &MainWindow::refreshCommands);
+  connect(&page.pins(), &PinController::selectionChanged, this, &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::started, this, &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);

@@ -1,4 +1,4 @@
-#include "ui/docks/pixel_readout.h"
+#include "ui/spectrum/pixel_readout.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#pragma once  // internal to ui/docks
+#pragma once  // internal to ui/spectrum
 
 // What the foot of the window says of the pixel under the cursor.
 
