@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kDeviations = 2;
 constexpr std::uint8_t kBandAlpha = 60;
-constexpr std::uint8_t kUnmeasuredAlpha = 26;
 constexpr double kBandSample = 8;  // thickness of a band in the legend
 constexpr double kPointRadius = 3.5;
 constexpr double kModelledRadius = 5.5;
@@ -31,6 +30,9 @@ constexpr int kLongestName = 24;
 // The longest number on the axis of reflectance, so that the axis does not move from place to
 // place.
 constexpr char kWidestNumber[] = "0.000";
+// Of the height of a plot: what is less cannot be told from the axis.
+constexpr double kUnseenShare = 0.01;
+constexpr char kWidestContribution[] = "−0.00";
 
 QString tr(const char* text) {
   return QCoreApplication::translate("SpectrumFigure", text);
@@ -70,6 +72,14 @@ double largest(const QVector<double>& curve) {
   return most;
 }
 
+double smallest(const QVector<double>& curve) {
+  double least = 0;
+  for (const double value : curve) {
+    if (std::isfinite(value)) least = std::min(least, value);
+  }
+  return least;
+}
+
 // The panel of a figure while it is put together.
 class FigurePanel {
  public:
@@ -106,30 +116,40 @@ class FigurePanel {
   }
 
   void addAxisUpwards() {
-    if (figure_.quantity == SpectrumQuantity::absorption) {
-      panel_.y = absorptionAxis();
-    } else {
-      addShareAxis();
+    switch (figure_.quantity) {
+      case SpectrumQuantity::reflectance:
+        return addAxisOfReflectance();
+      case SpectrumQuantity::absorption:
+        panel_.y = absorptionAxis();
+        return;
+      case SpectrumQuantity::contributions:
+        return addAxisOfContributions();
     }
   }
 
-  // Of reflectance, or of parts of it.
-  void addShareAxis() {
-    const bool isWhole = figure_.quantity == SpectrumQuantity::reflectance;
-    const double most = isWhole ? figure_.maximum : niceCeiling(largestPart(), kReflectanceSteps);
-    panel_.y = linearAxis(0, most > 0 ? most : 1, kReflectanceSteps, look_.words);
+  void addAxisOfReflectance() {
+    panel_.y = linearAxis(0, figure_.maximum, kReflectanceSteps, look_.words);
     panel_.y.widest = kWidestNumber;
-    if (!look_.isPrinted) return;
-    panel_.y.title = (isWhole ? tr("Reflectance (perfect diffuser = 1)")
-                              : tr("Reflectance taken (perfect diffuser = 1)"))
-                         .toStdString();
+    if (look_.isPrinted) panel_.y.title = tr("Reflectance (perfect diffuser = 1)").toStdString();
   }
 
-  double largestPart() const {
-    double most = 0;
-    for (const NamedCurve& part : figure_.parts)
+  // Skin may reflect more with a chromophore than without it: in the infrared blood takes the place
+  // of water.
+  void addAxisOfContributions() {
+    double least = 0, most = 0;
+    for (const NamedCurve& part : figure_.parts) {
+      least = std::min(least, smallest(part.values));
       most = std::max(most, largest(part.values));
-    return most;
+    }
+    if (-least < kUnseenShare * most) least = 0;
+    const double step = niceStep(most - least, kReflectanceSteps);
+    panel_.y =
+        linearAxis(step * std::floor(least / step), step * std::max(std::ceil(most / step), 1.0),
+                   kReflectanceSteps + 2, look_.words);
+    panel_.y.widest = kWidestContribution;
+    if (least < 0) panel_.levels.push_back({0, {look_.theme.muted, 1.0}, {}});
+    if (look_.isPrinted)
+      panel_.y.title = tr("Reflectance taken (perfect diffuser = 1)").toStdString();
   }
 
   Axis absorptionAxis() const {
@@ -141,8 +161,7 @@ class FigurePanel {
       }
     }
     Axis axis = decadeAxis(std::max(least, kLeastAbsorption / 10), 1.01 * most);
-    axis.unit = tr("mm⁻¹").toStdString();
-    axis.title = tr("Absorption").toStdString();
+    if (look_.isPrinted) axis.title = tr("Absorption, mm⁻¹").toStdString();
     return axis;
   }
 
@@ -168,27 +187,19 @@ class FigurePanel {
     return panel_;
   }
 
-  // A band none of which was measured is called so.
-  void addBand(const QString& name, const QString& unmeasuredName, const Band& band, Color color) {
-    // A tail of a few samples makes no band a measured one.
-    const bool isMeasured =
-        !figure_.measured || 4 * (std::min(figure_.measured->last, band.last) -
-                                  std::max(figure_.measured->first, band.first)) >=
-                                 band.count();
-    panel_.shades.push_back({wavelengthNm(band.first), wavelengthNm(band.last), color,
-                             (isMeasured ? name : unmeasuredName).toStdString()});
+  void addBand(const QString& name, const Band& band, Color color) {
+    panel_.shades.push_back(
+        {wavelengthNm(band.first), wavelengthNm(band.last), color, name.toStdString()});
   }
 
   void addShades() {
     const PlotTheme& theme = look_.theme;
-    addBand(tr("UV"), tr("UV, extrapolated"), kUltravioletBand, theme.outerShade);
-    addBand(tr("Visible"), tr("Visible"), kVisibleBand, theme.shade);
-    addBand(tr("NIR"), tr("NIR, extrapolated"), kNearInfraredBand, theme.outerShade);
+    addBand(tr("UV"), kUltravioletBand, theme.outerShade);
+    addBand(tr("Visible"), kVisibleBand, theme.shade);
+    addBand(tr("NIR"), kNearInfraredBand, theme.outerShade);
     if (!figure_.measured) return;
-    const Color dim = theme.muted.faded(kUnmeasuredAlpha);
-    panel_.shades.push_back({wavelengthNm(0), wavelengthNm(figure_.measured->first), dim, {}});
-    panel_.shades.push_back(
-        {wavelengthNm(figure_.measured->last), wavelengthNm(kSampleCount - 1), dim, {}});
+    addBand({}, {0, figure_.measured->first}, theme.outerShade);
+    addBand({}, {figure_.measured->last, kSampleCount - 1}, theme.outerShade);
   }
 
   void addCursor() {
@@ -264,7 +275,8 @@ class FigurePanel {
     panel_.ribbons.push_back(std::move(band));
   }
 
-  // The letter stands on the curve, on that of the edited skin where there is one.
+  // The letter stands on the curve, on that of the edited skin where there is one; in a dock, which
+  // has no room to give away, that alone says whose it is.
   void addPin(const PinnedCurves& pin) {
     if (pin.curves.original.isEmpty()) return;
     const Color color = look_.pinColor(pin.number);
@@ -275,7 +287,8 @@ class FigurePanel {
     addLine(pin.curves.original, stroke);
     if (isEdited) addLine(pin.curves.edited, editedStroke);
     const QVector<double>& shown = isEdited ? pin.curves.edited : pin.curves.original;
-    panel_.legend.push_back({titleOf(pin).toStdString(), isEdited ? editedStroke : stroke, {}});
+    if (look_.isPrinted || !pin.name.isEmpty())
+      panel_.legend.push_back({titleOf(pin).toStdString(), isEdited ? editedStroke : stroke, {}});
     if (look_.crosshair) {
       return addCrossing(shown, color, withValue(pin.letter, shown).toStdString());
     }

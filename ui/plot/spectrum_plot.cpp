@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -84,13 +85,16 @@ void SpectrumPlot::clear() {
 }
 
 void SpectrumPlot::figureChanged() {
-  const QString quantity = figure_.quantity == SpectrumQuantity::reflectance  ? tr("Reflectance")
-                           : figure_.quantity == SpectrumQuantity::absorption ? tr("Absorption")
-                                                                              : tr("Contributions");
+  const QString quantity = figure_.quantity == SpectrumQuantity::reflectance ? tr("Reflectance")
+                           : figure_.quantity == SpectrumQuantity::absorption
+                               ? tr("Absorption in mm⁻¹")
+                               : tr("Contributions");
   figure_.title = heading_.isEmpty() ? quantity : tr("%1, %2").arg(quantity, heading_);
   axis_.see(largestValue(figure_));
   figure_.maximum = axis_.maximum();
   update();
+  const bool isEmpty = !hasCurves(figure_);
+  if (isEmpty != std::exchange(isEmpty_, isEmpty)) Q_EMIT emptinessChanged();
 }
 
 void SpectrumPlot::stepAxis(int count) {

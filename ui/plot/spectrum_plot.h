@@ -55,6 +55,10 @@ class SpectrumPlot : public QWidget {
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
+ Q_SIGNALS:
+  // The first curve has come, or the last one has gone.
+  void emptinessChanged();
+
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -73,6 +77,7 @@ class SpectrumPlot : public QWidget {
   void stepAxis(int count);
 
   SpectrumFigure figure_;
+  bool isEmpty_ = true;
   QString heading_;
   ReflectanceAxis axis_;
   int wheelRest_ = 0;  // of a notch

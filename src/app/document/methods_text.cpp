@@ -124,7 +124,7 @@ std::string captionText(const Scene& scene, const FitChoice& choice, const std::
       text += " · " + methodWords(choice.method);
     }
   }
-  return text + " · Cutis " + version;
+  return text + " · Cutis\u00a0" + version;  // on one line
 }
 
 }  // namespace cutis

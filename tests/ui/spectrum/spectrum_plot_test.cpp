@@ -123,6 +123,16 @@ class SpectrumPlotTest : public QObject {
     QCOMPARE(countIn(image, plot_.pointAt(600, 0).toPoint().x(), ink), 0);
   }
 
+  // In the infrared a chromophore may leave more reflectance than what it displaces.
+  void contributionsBelowZeroAreSeen() {
+    plot_.setParts(SpectrumQuantity::contributions,
+                   {{"Melanin", flat(0.1)}, {"Blood", flat(-0.004)}});
+    const QPointF low = plot_.pointAt(900, -0.004);
+    QVERIFY(low.y() > plot_.pointAt(900, 0).y() + 2);
+    QVERIFY(low.y() < plot_.height() - 20);
+    plot_.setParts(SpectrumQuantity::reflectance);
+  }
+
   void gapsAndForeignLengthsAreHarmless() {
     QVector<double> curve = flat(0.4);
     for (int i = 0; i < 200; ++i)
