@@ -5,7 +5,7 @@
 namespace cutis {
 
 void LatestJob::request(Work work) {
-  if (jobs_.isRunning(running_)) {
+  if (isRunning()) {
     next_ = std::move(work);
   } else {
     start(std::move(work));

@@ -25,6 +25,8 @@ class LatestJob {
   void request(Work work);
   // Nothing arrives any more of what was requested.
   void cancel();
+  // Whether something that was requested has not arrived yet.
+  bool isRunning() const { return jobs_.isRunning(running_); }
 
  private:
   void start(Work work);

@@ -136,6 +136,13 @@ QString PinController::objectionToAll() const {
              : tr("There is no pin; click in the picture to set one");
 }
 
+QString PinController::objectionToReadings() const {
+  const QString objection = objectionToAll();
+  if (!objection.isEmpty()) return objection;
+  if (!seen_) return tr("Pins are computed while the Spectrum dock is shown; show it (F9)");
+  return job_.isRunning() ? tr("The pins are being computed; try again in a moment") : QString();
+}
+
 QString PinController::objectionToOne() const {
   const QString objection = objectionToAll();
   if (!objection.isEmpty() || !selected_.empty()) return objection;
@@ -171,17 +178,21 @@ void PinController::compute() {
   const PinSet& set = document_.pins();
   if (set.pins.empty()) {
     job_.cancel();
-    return take({});
+    return take({}, {});
   }
   job_.request([this, scene = document_.scene(), choice = document_.fitChoice(),
                 set](const JobContext& context) -> std::function<void()> {
-    auto readings = pinReadings(SceneSpectra(scene, choice), set, context);
+    const SceneSpectra spectra(scene, choice);
+    auto readings = pinReadings(spectra, set, context);
     if (!readings) return {};
-    return [this, readings = std::move(readings).value()] { take(readings); };
+    return [this, readings = std::move(readings).value(), measured = spectra.measured()] {
+      take(readings, measured);
+    };
   });
 }
 
-void PinController::take(const std::vector<PinReading>& readings) {
+void PinController::take(const std::vector<PinReading>& readings,
+                         const std::optional<Band>& measured) {
   readings_ = readings;
   std::vector<PinnedCurves> curves;
   for (const PinReading& reading : readings) {
@@ -191,6 +202,7 @@ void PinController::take(const std::vector<PinReading>& readings) {
                       placeCurves(*reading.place)});
   }
   if (panel_ != nullptr) {
+    if (!curves.empty()) panel_->plot().setMeasured(measured);
     panel_->plot().setPins(curves);
     panel_->table().setReadings(readings_, document_.pins().reference);
     panel_->table().setSelected(selected_);

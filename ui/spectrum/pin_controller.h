@@ -4,6 +4,7 @@
 // follows the maps and the edits. What pins show is computed in the background, and only while
 // somebody sees it. Interface thread only.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ class PinController : public QObject {
 
   // As last computed, for the pins of then.
   const std::vector<PinReading>& readings() const { return readings_; }
+  // Why these are not those of now, in one sentence; empty if they are.
+  QString objectionToReadings() const;
 
   void add(int x, int y);
   void select(const std::string& letter);
@@ -62,7 +65,7 @@ class PinController : public QObject {
   void pinsChanged();
   void showMarkers();
   void compute();
-  void take(const std::vector<PinReading>& readings);
+  void take(const std::vector<PinReading>& readings, const std::optional<Band>& measured);
 
   Document& document_;
   Viewport& viewport_;

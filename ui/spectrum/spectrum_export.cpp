@@ -49,20 +49,40 @@ Status writePage(const std::filesystem::path& path, const Drawing& drawing) {
   return writeTextAtomically(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
+// What bands and bars are.
+std::string notesOnReflectance(const SpectrumFigure& figure) {
+  std::string notes = SpectrumExport::tr("Bands: ± 2 posterior standard deviations.").toStdString();
+  if (!figure.channels.isEmpty())
+    notes += ' ' + SpectrumExport::tr(
+                       "Photograph: a channel each, ± 2 standard deviations of its "
+                       "noise and ± 1 of its response across; rings: what the "
+                       "curve gives in it.")
+                       .toStdString();
+  return notes;
+}
+
 }  // namespace
 
 SpectrumExport::SpectrumExport(Document& document, JobRunner& jobs, PinController& pins,
                                ProgressStrip& progress, QWidget* window)
-    : document_(document), jobs_(jobs), pins_(pins), progress_(progress), window_(window) {}
+    : document_(document), jobs_(jobs), pins_(pins), progress_(progress), window_(window) {
+  connect(&pins, &PinController::readingsChanged, this, &SpectrumExport::objectionsChanged);
+}
+
+void SpectrumExport::attach(SpectrumPanel& panel) {
+  panel_ = &panel;
+  connect(&panel.plot(), &SpectrumPlot::emptinessChanged, this, &SpectrumExport::objectionsChanged);
+}
 
 QString SpectrumExport::objectionToCurves() const {
-  const bool any = panel_ != nullptr && hasCurves(panel_->plot().figure());
-  return any ? QString() : tr("There is no curve; point at skin in the picture");
+  if (panel_ == nullptr || !panel_->isVisible())
+    return tr("Curves are computed while the Spectrum dock is shown; show it (F9)");
+  return hasCurves(panel_->plot().figure()) ? QString()
+                                            : tr("There is no curve; point at skin in the picture");
 }
 
 QString SpectrumExport::objectionToPins() const {
-  return pins_.readings().empty() ? tr("There is no pin; click in the picture to set one")
-                                  : QString();
+  return pins_.objectionToReadings();
 }
 
 QString SpectrumExport::objectionToMethods() const {
@@ -74,14 +94,14 @@ Drawing SpectrumExport::figure() const {
   Page page;
   page.width = kFigureWidth;
   page.heading = shown.title.toStdString();
-  page.description = tr("Reflectance spectra of skin from 300 to 1000 nm").toStdString();
+  page.description = tr("Spectra of skin from 300 to 1000 nm").toStdString();
   SpectrumFigure untitled = shown;
   untitled.title.clear();
   PanelRow row;
   row.height = kFigureHeight;
   row.panels = {panelOf(untitled, {printTheme(), tickWords, printedPinColor, true, {}, {}})};
   page.rows = {row};
-  page.notes = {tr("Bands and bars: ± 2 standard deviations.").toStdString()};
+  if (shown.quantity == SpectrumQuantity::reflectance) page.notes = {notesOnReflectance(shown)};
   if (document_.isOpen())
     page.notes.push_back(captionText(document_.scene(), document_.fitChoice(), programVersion()));
   return layOut(page);

@@ -30,7 +30,7 @@ class SpectrumExport : public QObject {
   SpectrumExport(Document& document, JobRunner& jobs, PinController& pins, ProgressStrip& progress,
                  QWidget* window);
 
-  void attach(SpectrumPanel& panel) { panel_ = &panel; }
+  void attach(SpectrumPanel& panel);
 
   void copyCurves();
   void copyFigure();
@@ -46,6 +46,9 @@ class SpectrumExport : public QObject {
   QString objectionToCurves() const;
   QString objectionToPins() const;
   QString objectionToMethods() const;
+
+ Q_SIGNALS:
+  void objectionsChanged();
 
  private:
   // As on paper, with a caption.

@@ -30,6 +30,7 @@
 #include "ui/menus/command_catalogue.h"
 #include "ui/menus/editor.h"
 #include "ui/spectrum/pin_controller.h"
+#include "ui/spectrum/spectrum_export.h"
 #include "ui/theme/theme.h"
 #include "ui/view/adjustment_bar.h"
 #include "ui/view/view_controller.h"
@@ -206,6 +207,8 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(document, &Document::fitChoiceChanged, this, &MainWindow::refreshCommands);
   connect(document, &Document::pinsChanged, this, &MainWindow::refreshCommands);
   connect(&page.pins(), &PinController::selectionChanged, this, &MainWindow::refreshCommands);
+  connect(&page.spectrumExport(), &SpectrumExport::objectionsChanged, this,
+          &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::started, this, &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);

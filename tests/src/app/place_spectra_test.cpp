@@ -4,14 +4,19 @@
 #include "src/app/document/place_spectra.h"
 
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include <QSignalSpy>
+#include <QString>
+#include <QStringList>
 #include <QtTest>
 
 #include "src/app/document/document.h"
 #include "src/app/document/methods_text.h"
 #include "src/app/document/pin_readings.h"
 #include "src/app/document/place_parts.h"
+#include "src/app/spectrum_rows.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_registry.h"
 
@@ -51,6 +56,26 @@ class PlaceSpectraTest : public QObject {
     EXPECT_AT_MOST((mean->original - sum / 9.0).abs().maxCoeff(), 1e-12);
     EXPECT_AT_MOST((mean->originalParameters - parameters / 9.0).abs().maxCoeff(), 1e-9);
     EXPECT_NEAR(mean->channels.front().measured, measured / 9.0, 1e-12);
+  }
+
+  // As `cutis-cli spectrum --maps MAPS --at X,Y` writes it.
+  void aPinHasTheSpectrumOfTheCommandLine() {
+    const Pin pin = {"A", "", 430, 560};
+    std::string text;
+    const auto keep = [&text](std::string_view part) {
+      text += part;
+      return Status();
+    };
+    const Scene& scene = document_.scene();
+    EXPECT_OK(
+        writeMapSpectra(scene.model, scene.maps, {{{pin.x, pin.y}}, {}}, "maps.exr", keep, {}));
+    const QStringList written = QString::fromStdString(text).split('\n')[1].split(',');
+    const auto readings = pinReadings(all(), {{pin}, 1, ""}, {});
+    EXPECT_OK(readings);
+    const Spectrum& shown = readings.value().front().place->original;
+    QCOMPARE(written.size(), shown.size() + 2);
+    for (Eigen::Index i = 0; i < shown.size(); ++i)
+      EXPECT_NEAR(shown[i], written[i + 2].toDouble(), 1e-8);
   }
 
   // The background of the sample is no skin, and beyond the picture there is nothing.
@@ -135,7 +160,8 @@ class PlaceSpectraTest : public QObject {
           "0² + (0.02 · value)²", "was children; carotene was held at 0.", "2024"})
       QVERIFY2(text.find(words) != std::string::npos, text.c_str());
     const std::string caption = captionText(document_.scene(), choice, "9.8");
-    QVERIFY2(caption.find(" · prior children · Cutis 9.8") != std::string::npos, caption.c_str());
+    QVERIFY2(caption.find(" · prior children · Cutis\u00a09.8") != std::string::npos,
+             caption.c_str());
     choice.method = FitMethod::network;
     QVERIFY(methodsText(document_.scene(), choice, "9.8").find("network") != std::string::npos);
   }

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QInputDialog>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QtTest>
 
 #include "tests/support/scratch_folder.h"
@@ -107,6 +108,7 @@ class PinWindowTest : public test::UiTest {
 
   void pinsFollowTheEditsAndTheSizeOfTheMean() {
     click(500, 500);
+    QTest::mouseMove(&window_->viewport(), at(500, 500));
     window_->edits().setFactor(kMelanin, 2.0, false);
     waitUntilIdle();
     QCOMPARE(plot().figure().pins[0].curves.edited.size(), 351);
@@ -140,15 +142,24 @@ class PinWindowTest : public test::UiTest {
     QCOMPARE(plot().figure().place.original.size(), 351);
   }
 
+  // Jobs are counted: a hidden dock starts none, neither for pins nor for the mouse.
   void nothingIsComputedForAHiddenDock() {
+    DocumentPage& page = window_->tabs().current();
     window_->commands().run("dock.spectrum");
     QTRY_VERIFY(!plot().isVisible());
-    click(500, 500);
     waitUntilIdle();
-    QVERIFY(window_->tabs().current().pins().readings().empty());
-    QCOMPARE(window_->viewport().markers().size(), 1);
+    QSignalSpy jobs(&page.jobs(), &JobRunner::idle);
+    click(500, 500);
+    click(400, 600);
+    QTest::mouseMove(&window_->viewport(), at(450, 550));
+    waitUntilIdle();
+    QCOMPARE(jobs.count(), 0);
+    QVERIFY(page.pins().readings().empty());
+    QCOMPARE(window_->viewport().markers().size(), 2);
     window_->commands().run("dock.spectrum");
-    QTRY_COMPARE(window_->tabs().current().pins().readings().size(), std::size_t{1});
+    QTRY_COMPARE(page.pins().readings().size(), std::size_t{2});
+    waitUntilIdle();
+    QVERIFY(jobs.count() > 0);
   }
 
  private:

@@ -53,7 +53,7 @@ class SpectrumExportTest : public test::UiTest {
     QVERIFY(rows[0].contains("A original") && rows[0].contains("B left cheek original"));
     QVERIFY(rows[1].startsWith("300,"));
     const std::string svg = folder_.read("f.svg");
-    for (const char* words : {"Wavelength, nm", "Profile skin2026", "rig monitor", "extrapolated"})
+    for (const char* words : {"Wavelength, nm", "Profile skin2026", "rig monitor", "Extrapolated"})
       QVERIFY2(svg.find(words) != std::string::npos, words);
   }
 
@@ -86,6 +86,7 @@ class SpectrumExportTest : public test::UiTest {
     QVERIFY(table->item(1, table->columnCount() - 1)->text().size() >= 4);
     table->item(0, 1)->setText("nose");
     QCOMPARE(window_->document().pins().pins[0].name, std::string("nose"));
+    waitUntilIdle();
     window_->commands().run("spectrum.copyPins");
     const QStringList rows = QGuiApplication::clipboard()->text().split('\n');
     QCOMPARE(rows.size(), 4);
@@ -130,7 +131,7 @@ class SpectrumExportTest : public test::UiTest {
     drawing.width = 192;
     drawing.height = 96;
     drawing.add(Disc{{96, 48}, 20, Color::rgb(0xff0000), kNoStroke});
-    QVERIFY(pdfOf(drawing).contains("/MediaBox [0 0 144 72]"));
+    QVERIFY(pdfOf(drawing).contains("/MediaBox [0 0 144.000000 72.000000]"));
     const QImage image = imageOf(drawing, 2);
     QCOMPARE(image.size(), QSize(384, 192));
     QCOMPARE(image.pixelColor(192, 96), QColor(255, 0, 0));
