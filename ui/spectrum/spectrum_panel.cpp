@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,55 +23,63 @@ constexpr int kRoomForBoth = 620;
 
 SpectrumPanel::SpectrumPanel(QWidget* parent)
     : QWidget(parent),
-      quantities_(new QComboBox(this)),
-      sizes_(new QComboBox(this)),
-      tableButton_(new QToolButton(this)),
-      exportButton_(new QToolButton(this)),
+      bar_(new QWidget(this)),
+      quantities_(new QComboBox(bar_)),
+      sizeLabel_(new QLabel(tr("&Mean of"), bar_)),
+      sizes_(new QComboBox(bar_)),
+      tableButton_(new QToolButton(bar_)),
+      exportButton_(new QPushButton(tr("Export"), bar_)),
       plot_(new SpectrumPlot(this)),
       table_(new PinTable(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* bar = new QHBoxLayout;
-  bar->setContentsMargins(theme::kSpace, theme::kHalfSpace, theme::kSpace, 0);
-  bar->setSpacing(theme::kSpace);
-  makeBar(*bar);
-  column->addLayout(bar);
+  makeBar();
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->setChildrenCollapsible(false);
   both->addWidget(plot_);
   both->addWidget(table_);
   both->setStretchFactor(0, 1);
   both->setStretchFactor(1, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(bar_);
   column->addWidget(both, 1);
   arrange();
 }
 
-void SpectrumPanel::makeBar(QHBoxLayout& bar) {
-  auto* label = new QLabel(tr("&Mean of"), this);
-  label->setBuddy(sizes_);
-  theme::dimText(*label);
+void SpectrumPanel::makeBar() {
+  makeQuantities();
+  makeSizes();
+  tableButton_->setText(tr("Table"));
+  tableButton_->setProperty("segment", true);
+  tableButton_->setCheckable(true);
+  tableButton_->setAccessibleName(tr("Table of pins"));
+  tableButton_->setToolTip(tr("Parameters, indices and colour differences of the pinned places"));
+  connect(tableButton_, &QToolButton::toggled, this, &SpectrumPanel::arrange);
+  exportButton_->setProperty("menu", true);
+  exportButton_->setToolTip(tr("Curves, figure, table and methods as files or on the clipboard"));
+  auto* row = new QHBoxLayout(bar_);
+  row->setContentsMargins(theme::kSpace, theme::kHalfSpace, theme::kSpace, 0);
+  row->setSpacing(theme::kSpace);
+  row->addWidget(quantities_);
+  row->addWidget(sizeLabel_);
+  row->addWidget(sizes_);
+  row->addStretch(1);
+  row->addWidget(tableButton_);
+  row->addWidget(exportButton_);
+  // The plot says how narrow the dock may be.
+  bar_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+}
+
+void SpectrumPanel::makeSizes() {
+  sizeLabel_->setBuddy(sizes_);
+  theme::dimText(*sizeLabel_);
   for (const int size : kPinSizes)
-    sizes_->addItem(size == 1 ? tr("1 pixel") : tr("%1 × %1 pixels").arg(size), size);
+    sizes_->addItem(size == 1 ? tr("1 pixel") : tr("%1 × %1").arg(size), size);
   sizes_->setAccessibleName(tr("Pixels whose spectra are averaged"));
   sizes_->setToolTip(
       tr("The square about the mouse and about each pin: the mean of its pixels' spectra"));
   connect(sizes_, &QComboBox::activated, this,
           [this](int row) { Q_EMIT sizeChosen(sizes_->itemData(row).toInt()); });
-  tableButton_->setText(tr("Table of pins"));
-  tableButton_->setCheckable(true);
-  tableButton_->setToolTip(tr("Parameters, indices and colour differences of the pinned places"));
-  connect(tableButton_, &QToolButton::toggled, this, &SpectrumPanel::arrange);
-  exportButton_->setText(tr("Export"));
-  exportButton_->setPopupMode(QToolButton::InstantPopup);
-  exportButton_->setToolTip(tr("Curves, figure, table and methods as files or on the clipboard"));
-  makeQuantities();
-  bar.addWidget(quantities_);
-  bar.addWidget(label);
-  bar.addWidget(sizes_);
-  bar.addStretch(1);
-  bar.addWidget(tableButton_);
-  bar.addWidget(exportButton_);
 }
 
 void SpectrumPanel::makeQuantities() {
@@ -95,7 +104,18 @@ void SpectrumPanel::arrange() {
   plot_->setVisible(!isTable || width() >= kRoomForBoth);
 }
 
+// Menus have the exports, too.
+void SpectrumPanel::fitBar() {
+  sizeLabel_->show();
+  exportButton_->show();
+  for (QWidget* widget :
+       {static_cast<QWidget*>(sizeLabel_), static_cast<QWidget*>(exportButton_)}) {
+    if (bar_->sizeHint().width() > width()) widget->hide();
+  }
+}
+
 void SpectrumPanel::resizeEvent(QResizeEvent*) {
+  fitBar();
   arrange();
 }
 

@@ -1,16 +1,18 @@
 #pragma once
 
-// What is in the spectrum dock: the plot, the table of pins beside it, and above them how large the
-// squares are whose mean is shown. In a dock that has no room for both the table takes the place of
-// the plot. Interface thread only.
+// What is in the spectrum dock: the plot, the table of pins beside it, and above them a bar with
+// what is drawn and how large the squares are whose mean is shown. In a dock that has no room for
+// both the table takes the place of the plot; in a narrow one the bar leaves out what the menus
+// have, too. Interface thread only.
 
 #include <QWidget>
 
 #include "ui/plot/spectrum_figure.h"
 
 class QComboBox;
-class QHBoxLayout;
+class QLabel;
 class QMenu;
+class QPushButton;
 class QToolButton;
 
 namespace cutis {
@@ -39,14 +41,18 @@ class SpectrumPanel : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void makeBar(QHBoxLayout& bar);
+  void makeBar();
   void makeQuantities();
+  void makeSizes();
   void arrange();
+  void fitBar();
 
+  QWidget* bar_;
   QComboBox* quantities_;
+  QLabel* sizeLabel_;
   QComboBox* sizes_;
   QToolButton* tableButton_;
-  QToolButton* exportButton_;
+  QPushButton* exportButton_;
   SpectrumPlot* plot_;
   PinTable* table_;
 };
