@@ -9,7 +9,7 @@ namespace cutis {
 namespace {
 
 constexpr double kRadius = 6;
-constexpr double kReach = 9;  // of the mouse
+constexpr double kMarkerReach = 9;  // of the mouse
 constexpr double kRingWidth = 2;
 constexpr double kRim = 1.5;  // of dark around what is drawn, so that it is seen on any skin
 constexpr double kGap = 4;
@@ -69,7 +69,7 @@ std::optional<int> markerAt(const QVector<PictureMarker>& markers, const QPointF
                             const ToWidget& toWidget) {
   for (int i = static_cast<int>(markers.size()) - 1; i >= 0; --i) {
     const QPointF apart = middleOf(markers[i], toWidget) - point;
-    if (std::hypot(apart.x(), apart.y()) <= kReach) return i;
+    if (std::hypot(apart.x(), apart.y()) <= kMarkerReach) return i;
   }
   return {};
 }
