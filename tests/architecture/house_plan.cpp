@@ -135,9 +135,11 @@ constexpr Room kRooms[] = {
     {"ui/spectrum",
      "core/* src/files/* src/report/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view "
      "ui/dialogs"},
+    {"ui/inspector",
+     "core/skin/profile src/app src/app/document ui/theme ui/color ui/widgets ui/view"},
     {"ui/documents",
      "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view ui/compare "
-     "ui/docks ui/dialogs ui/edits ui/spectrum"},
+     "ui/docks ui/dialogs ui/edits ui/spectrum ui/inspector"},
     {"ui/menus",
      "core/base core/skin/profile src/app/* src/files/system ui/theme ui/color ui/commands ui/view "
      "ui/compare ui/docks ui/dialogs ui/edits ui/spectrum ui/documents"},

@@ -19,6 +19,8 @@
 #include "ui/edits/history_controller.h"
 #include "ui/edits/history_panel.h"
 #include "ui/edits/preset_catalogue.h"
+#include "ui/inspector/inspector_controller.h"
+#include "ui/inspector/inspector_panel.h"
 #include "ui/plot/spectrum_plot.h"
 #include "ui/spectrum/pin_controller.h"
 #include "ui/spectrum/pin_table.h"
@@ -156,6 +158,18 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, CommandRegistry& 
        .shownAtFirst = false,
        .behind = "history",
        .makePanel = [&page] { return makeInfo(page); }},
+      {.id = "inspector",
+       .title = tr("I&nspector"),
+       .shortcut = QKeySequence(tr("Ctrl+Shift+I")),
+       .shownAtFirst = false,
+       .behind = "history",
+       .makePanel =
+           [&page] {
+             auto* panel = new InspectorPanel;
+             page.inspector().attach(*panel);
+             return panel;
+           },
+       .seen = [&page](QWidget&, bool seen) { page.inspector().setSeen(seen); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),
        .area = Qt::BottomDockWidgetArea,

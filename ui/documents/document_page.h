@@ -23,6 +23,7 @@ class ComparisonController;
 class EditController;
 class ExportController;
 class FitController;
+class InspectorController;
 class LightController;
 class NoticeBar;
 class PinController;
@@ -85,6 +86,7 @@ class DocumentPage : public QWidget {
   ComparisonController& comparison() { return *comparison_; }
   EditController& edits() { return *edits_; }
   PresetController& presets() { return *presets_; }
+  InspectorController& inspector() { return *inspector_; }
   LightController& light() { return *light_; }
   SpectrumController& spectrum() { return *spectrum_; }
   PinController& pins() { return *pins_; }
@@ -113,6 +115,7 @@ class DocumentPage : public QWidget {
   std::unique_ptr<ComparisonController> comparison_;
   std::unique_ptr<EditController> edits_;
   std::unique_ptr<PresetController> presets_;
+  std::unique_ptr<InspectorController> inspector_;
   std::unique_ptr<LightController> light_;
   std::unique_ptr<SpectrumController> spectrum_;
   std::unique_ptr<PinController> pins_;

@@ -21,7 +21,8 @@ QString valueText(Parameter parameter, double value) {
 
 }  // namespace
 
-QString pixelReadout(const Document& document, const QPoint& pixel) {
+QString pixelReadout(const Document& document, const QPoint& pixel,
+                     const std::optional<ParameterVector>& deviation) {
   const auto parameters = document.parametersAt(pixel.x(), pixel.y());
   const QString place = QString("%1, %2").arg(pixel.x()).arg(pixel.y());
   if (!parameters) return tr("%1   no estimate here").arg(place);
@@ -31,6 +32,7 @@ QString pixelReadout(const Document& document, const QPoint& pixel) {
     const QString original = valueText(parameter, parameters->original[parameter]);
     const QString edited = valueText(parameter, parameters->edited[parameter]);
     text += QString("   %1 %2").arg(parameterTitle(parameter), original);
+    if (deviation) text += tr(" ± %1").arg(valueText(parameter, (*deviation)[parameter]));
     if (edited != original) text += tr(", edited %1").arg(edited);
   }
   return text;

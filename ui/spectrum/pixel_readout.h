@@ -2,6 +2,8 @@
 
 // What the foot of the window says of the pixel under the cursor.
 
+#include <optional>
+
 #include <QPoint>
 #include <QString>
 
@@ -11,6 +13,8 @@ namespace cutis {
 
 // "492, 492   Melanin 6.4 %, edited 9.6 %   Melanin blend 70 %  …", or that there is no estimate,
 // or that it is one of a fit that was cancelled.
-QString pixelReadout(const Document& document, const QPoint& pixel);
+// deviation: of the values that were found, where it is known: "Melanin 6.4 % ± 0.8 %".
+QString pixelReadout(const Document& document, const QPoint& pixel,
+                     const std::optional<ParameterVector>& deviation = std::nullopt);
 
 }  // namespace cutis

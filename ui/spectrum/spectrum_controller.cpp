@@ -63,12 +63,13 @@ void SpectrumController::setSeen(bool seen) {
 
 void SpectrumController::refresh() {
   if (!pixel_) return;
-  if (isPointedAt_) showReadout(*pixel_);
+  if (isPointedAt_) showReadout(*pixel_, std::nullopt);
   if (seen_) plotSpectra(*pixel_);
 }
 
-void SpectrumController::showReadout(const QPoint& pixel) {
-  const QString text = pixelReadout(document_, pixel);
+void SpectrumController::showReadout(const QPoint& pixel,
+                                     const std::optional<ParameterVector>& deviation) {
+  const QString text = pixelReadout(document_, pixel, deviation);
   const QFontMetrics font(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   const int room = static_cast<int>(kReadoutShare * progress_.width());
   progress_.setReadout(font.elidedText(text, Qt::ElideRight, room));
@@ -99,6 +100,8 @@ void SpectrumController::show(const Shown& shown) {
   plot.setMeasured(shown.measured);
   plot.setParts(quantity_, shown.parts);
   if (!shown.place) return plot.clearPlace();
+  if (isPointedAt_ && pixel_ == shown.pixel && shown.size == 1)
+    showReadout(shown.pixel, shown.place->parameterDeviation);
   const QString at = tr("pixel %1, %2").arg(shown.pixel.x()).arg(shown.pixel.y());
   plot.setPlace(shown.size == 1 ? at : tr("mean of %1 × %1 about %2").arg(shown.size).arg(at),
                 placeCurves(*shown.place), measuredChannels(*shown.place));

@@ -47,7 +47,7 @@ class SpectrumController : public QObject {
   void pointAt(int x, int y);
   void leave();
   void refresh();
-  void showReadout(const QPoint& pixel);
+  void showReadout(const QPoint& pixel, const std::optional<ParameterVector>& deviation);
   void plotSpectra(const QPoint& pixel);
   void setQuantity(SpectrumQuantity quantity);
   void show(const Shown& shown);
