@@ -136,7 +136,7 @@ constexpr Room kRooms[] = {
      "core/* src/files/* src/report/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view "
      "ui/dialogs"},
     {"ui/inspector",
-     "core/skin/profile src/app src/app/document ui/theme ui/color ui/widgets ui/view"},
+     "core/* src/files src/app src/app/document ui/theme ui/color ui/plot ui/widgets ui/view"},
     {"ui/documents",
      "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view ui/compare "
      "ui/docks ui/dialogs ui/edits ui/spectrum ui/inspector"},

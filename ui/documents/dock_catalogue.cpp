@@ -19,6 +19,8 @@
 #include "ui/edits/history_controller.h"
 #include "ui/edits/history_panel.h"
 #include "ui/edits/preset_catalogue.h"
+#include "ui/inspector/distribution_controller.h"
+#include "ui/inspector/distribution_panel.h"
 #include "ui/inspector/inspector_controller.h"
 #include "ui/inspector/inspector_panel.h"
 #include "ui/plot/spectrum_plot.h"
@@ -170,6 +172,18 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, CommandRegistry& 
              return panel;
            },
        .seen = [&page](QWidget&, bool seen) { page.inspector().setSeen(seen); }},
+      {.id = "distribution",
+       .title = tr("&Distribution"),
+       .shortcut = QKeySequence(tr("Ctrl+D")),
+       .shownAtFirst = false,
+       .behind = "history",
+       .makePanel =
+           [&page] {
+             auto* panel = new DistributionPanel;
+             page.distributions().attach(*panel);
+             return panel;
+           },
+       .seen = [&page](QWidget&, bool seen) { page.distributions().setSeen(seen); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),
        .area = Qt::BottomDockWidgetArea,

@@ -19,6 +19,7 @@
 #include "ui/documents/dock_catalogue.h"
 #include "ui/documents/project_view.h"
 #include "ui/edits/preset_controller.h"
+#include "ui/inspector/distribution_controller.h"
 #include "ui/inspector/inspector_controller.h"
 #include "ui/spectrum/pin_controller.h"
 #include "ui/spectrum/reference_curves.h"
@@ -45,6 +46,8 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
           std::make_unique<ComparisonController>(*document_, jobs_, *server_, *views_, *viewport_)),
       edits_(std::make_unique<EditController>(*document_, *views_)),
       presets_(std::make_unique<PresetController>(*document_, *views_, progress, this)),
+      distributions_(std::make_unique<DistributionController>(*document_, jobs_, *server_, *views_,
+                                                              *viewport_)),
       inspector_(std::make_unique<InspectorController>(*document_, jobs_, *views_, *viewport_)),
       light_(std::make_unique<LightController>(*server_, *views_)),
       spectrum_(std::make_unique<SpectrumController>(*document_, jobs_, *viewport_, progress)),

@@ -20,6 +20,7 @@ namespace cutis {
 class Autosave;
 class CommandRegistry;
 class ComparisonController;
+class DistributionController;
 class EditController;
 class ExportController;
 class FitController;
@@ -86,6 +87,7 @@ class DocumentPage : public QWidget {
   ComparisonController& comparison() { return *comparison_; }
   EditController& edits() { return *edits_; }
   PresetController& presets() { return *presets_; }
+  DistributionController& distributions() { return *distributions_; }
   InspectorController& inspector() { return *inspector_; }
   LightController& light() { return *light_; }
   SpectrumController& spectrum() { return *spectrum_; }
@@ -115,6 +117,7 @@ class DocumentPage : public QWidget {
   std::unique_ptr<ComparisonController> comparison_;
   std::unique_ptr<EditController> edits_;
   std::unique_ptr<PresetController> presets_;
+  std::unique_ptr<DistributionController> distributions_;
   std::unique_ptr<InspectorController> inspector_;
   std::unique_ptr<LightController> light_;
   std::unique_ptr<SpectrumController> spectrum_;
