@@ -10,10 +10,10 @@
 #include <QWidget>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
 #include "src/app/project/journal.h"
+#include "src/app/views/view_server.h"
 
 namespace cutis {
 

@@ -116,8 +116,8 @@ void DistributionController::showHistogram() {
   const Scene& scene = document_.scene();
   const auto pixels =
       static_cast<std::size_t>(scene.width()) * static_cast<std::size_t>(scene.height());
-  panel_->histogram().setSpec(histogramOf(*part, describe(views_.current()),
-                                          viewName(views_.current(), document_), pixels));
+  panel_->setHistogram(histogramOf(*part, describe(views_.current()),
+                                   viewName(views_.current(), document_), pixels));
 }
 
 void DistributionController::showColors(const Part& part) {

@@ -10,8 +10,8 @@
 #include <QObject>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
 #include "src/app/latest_job.h"
+#include "src/app/views/view_server.h"
 
 namespace cutis {
 

@@ -6,10 +6,12 @@
 #include <QWidget>
 
 class QCheckBox;
+class QLabel;
 
 namespace cutis {
 
 class HistogramPlot;
+struct HistogramSpec;
 class LocusPlot;
 
 class DistributionPanel : public QWidget {
@@ -18,10 +20,12 @@ class DistributionPanel : public QWidget {
  public:
   explicit DistributionPanel(QWidget* parent = nullptr);
 
+  void setHistogram(const HistogramSpec& spec);
   HistogramPlot& histogram() { return *histogram_; }
   LocusPlot& locus() { return *locus_; }
 
  private:
+  QLabel* counted_;  // what the histogram counts
   HistogramPlot* histogram_;
   QCheckBox* logarithmic_;
   LocusPlot* locus_;

@@ -2,7 +2,7 @@
 
 // A view's values as a histogram.
 
-#include "src/app/document/view_part.h"
+#include "src/app/views/view_part.h"
 #include "ui/plot/histogram_plot.h"
 #include "ui/view/view_catalogue.h"
 

@@ -37,7 +37,7 @@ void InspectorPanel::showRows(const std::vector<InspectorRow>& rows) {
     QTreeWidgetItem& item = *topLevelItem(i);
     item.setText(0, row.name);
     item.setText(1, row.value);
-    item.setText(2, row.edited.isEmpty() ? QString() : tr("edited %1").arg(row.edited));
+    item.setText(2, remarkOf(row));
     for (int column = 0; column < columnCount(); ++column) {
       item.setToolTip(column, row.toolTip);
       const bool isDim = column == 0 && !row.isHeading;

@@ -1,5 +1,8 @@
 #include "ui/inspector/inspector_text.h"
 
+#include <cmath>
+#include <utility>
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -36,19 +39,41 @@ QString colorText(const Eigen::Vector3d& color, int digits) {
       .arg(color[2], 0, 'f', digits);
 }
 
+// "white" of "white.R": photographs have three channels each, an image one row of all.
+QString groupOf(const QString& channel) {
+  const qsizetype dot = channel.lastIndexOf('.');
+  return dot < 0 ? QString() : channel.left(dot);
+}
+
+std::vector<std::pair<QString, QString>> sourceRows(const InspectedPlace& place) {
+  std::vector<std::pair<QString, QString>> rows;
+  QString group, channels, values;
+  const auto finish = [&] {
+    if (!values.isEmpty()) rows.emplace_back(group.isEmpty() ? channels : group, values);
+    channels.clear();
+    values.clear();
+  };
+  for (const InspectedPlace::SourceValue& value : place.source) {
+    const QString name = QString::fromStdString(value.name);
+    if (groupOf(name) != group) finish();
+    group = groupOf(name);
+    channels += (channels.isEmpty() ? "" : " ") + name;
+    values += (values.isEmpty() ? "" : "  ") + number(value.value, 3);
+  }
+  finish();
+  return rows;
+}
+
 void addPicture(const InspectedPlace& place, const InspectedScene& scene, Rows& rows) {
   rows.push_back(heading(tr("Picture")));
   rows.push_back({tr("Pixel"), QString("%1, %2").arg(place.x).arg(place.y)});
   const QString unit = scene.isImage ? tr("as it stands in the file, from 0 to 1")
                                      : tr("share of the white diffuser");
-  for (const InspectedPlace::SourceValue& value : place.source)
-    rows.push_back({tr("Source %1").arg(QString::fromStdString(value.name)),
-                    number(value.value, 4),
-                    {},
-                    unit});
+  for (const auto& [name, values] : sourceRows(place))
+    rows.push_back({tr("Source %1").arg(name), values, {}, unit});
   if (!place.linear) return;
   rows.push_back(
-      {tr("Linear Rec.709"), colorText(*place.linear, 4), {}, tr("under daylight, D65")});
+      {tr("Linear Rec.709"), colorText(*place.linear, 3), {}, tr("under daylight, D65")});
   const DisplayCurve curve(scene.adjustment);
   const auto shown = [&](int c) { return int{curve(static_cast<float>((*place.linear)[c]))}; };
   rows.push_back({tr("Displayed"),
@@ -66,8 +91,8 @@ void addSkin(const InspectedPlace& place, Rows& rows) {
       row.value = amount(k, value);
       if (const auto& deviation = place.skin->parameterDeviation)
         row.value += tr(" ± %1").arg(amount(k, (*deviation)[k]));
-      if (place.isMostlyPrior[k]) {
-        row.value += tr(" (assumed)");
+      row.isAssumed = place.isMostlyPrior[k];
+      if (row.isAssumed) {
         row.toolTip = tr("The photographs say little about it: it leans on what is known of skin");
       }
       const QString edited = amount(k, place.skin->editedParameters[k]);
@@ -141,10 +166,18 @@ std::vector<InspectorRow> inspectorRows(const InspectedPlace& place, const Inspe
   return rows;
 }
 
+QString remarkOf(const InspectorRow& row) {
+  QStringList remarks;
+  if (row.isAssumed) remarks << tr("assumed");
+  if (!row.edited.isEmpty()) remarks << tr("edited %1").arg(row.edited);
+  return remarks.join(", ");
+}
+
 QString textOf(const std::vector<InspectorRow>& rows) {
   QStringList lines;
   for (const InspectorRow& row : rows)
-    lines << (row.isHeading ? row.name : QStringList{row.name, row.value, row.edited}.join('\t'));
+    lines << (row.isHeading ? row.name
+                            : QStringList{row.name, row.value, remarkOf(row)}.join('\t'));
   return lines.join('\n') + '\n';
 }
 

@@ -17,6 +17,7 @@ struct InspectorRow {
   QString edited = {};   // where an edit changes it
   QString toolTip = {};  // of the row
   bool isHeading = false;
+  bool isAssumed = false;  // the photographs say little about it
 };
 
 struct InspectedScene {
@@ -29,7 +30,9 @@ struct InspectedScene {
 // The rows for a place, in an order that does not depend on it; none for what the document does not
 // have at all.
 std::vector<InspectorRow> inspectorRows(const InspectedPlace& place, const InspectedScene& scene);
-// As lines of name, value and edited value with tabs between them, for the clipboard.
+// "assumed, edited 9.6 %"; empty where there is nothing to remark.
+QString remarkOf(const InspectorRow& row);
+// As lines of name, value and remark with tabs between them, for the clipboard.
 QString textOf(const std::vector<InspectorRow>& rows);
 
 }  // namespace cutis

@@ -70,8 +70,6 @@ void HistogramPlot::paintEvent(QPaintEvent*) {
 Panel HistogramPlot::panel() {
   const PlotTheme& theme = view_.themeFor(font());
   Panel panel;
-  panel.title = spec_.title.toStdString();
-  panel.isSmall = true;
   const double largest = largestOf(spec_.curves);
   if (largest <= 0.0) {
     panel.message = tr("There are no values yet").toStdString();

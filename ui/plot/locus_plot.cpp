@@ -12,16 +12,13 @@
 namespace cutis {
 namespace {
 
-// Around skin and white: wide enough for make-up and a wrong white balance.
-constexpr double kFromU = 0.15, kToU = 0.40;
-constexpr double kFromV = 0.40, kToV = 0.58;
+// Around skin and white, with room for make-up and a wrong white balance; wider where skin of the
+// profile is.
+constexpr double kFromU = 0.17, kToU = 0.32;
+constexpr double kFromV = 0.43, kToV = 0.54;
 constexpr int kMostTicks = 5;
 constexpr QPointF kDaylight(0.1978, 0.4683);
 constexpr double kCross = 5;
-
-bool isInside(const QPointF& color) {
-  return color.x() >= kFromU && color.x() <= kToU && color.y() >= kFromV && color.y() <= kToV;
-}
 
 Marker whiteMark() {
   Marker mark;
@@ -43,6 +40,11 @@ LocusPlot::LocusPlot(QWidget* parent) : QWidget(parent) {
 
 void LocusPlot::setSheet(const std::vector<LocusCurve>& curves) {
   sheet_ = curves;
+  bounds_ = QRectF(QPointF(kFromU, kFromV), QPointF(kToU, kToV));
+  for (const LocusCurve& curve : curves) {
+    for (const QPointF& point : curve.points)
+      bounds_ |= QRectF(point, QSizeF(1e-6, 1e-6));
+  }
   update();
 }
 
@@ -81,7 +83,7 @@ void LocusPlot::paintEvent(QPaintEvent*) {
   if (!shown.message.empty()) return;
   const PanelLayout layout = view_.layOut(shown, outside(), font());
   painter.drawImage(QPointF(layout.area.left, layout.area.top), density(layout));
-  if (cursor_.isNull() || !isInside(cursor_)) return;
+  if (cursor_.isNull() || !bounds_.contains(cursor_)) return;
   const Point at = layout.at(cursor_.x(), cursor_.y());
   painter.setPen(theme::tones().text);
   painter.drawLine(QPointF(at.x - kCross, at.y), QPointF(at.x + kCross, at.y));
@@ -94,7 +96,7 @@ QImage LocusPlot::density(const PanelLayout& layout) const {
   const int height = std::max(1, static_cast<int>(layout.area.height()));
   std::vector<int> counts(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (const QPointF& color : colors_) {
-    if (!isInside(color)) continue;
+    if (!bounds_.contains(color)) continue;
     const Point at = layout.at(color.x(), color.y());
     const int x = static_cast<int>(at.x - layout.area.left);
     const int y = static_cast<int>(at.y - layout.area.top);
@@ -122,11 +124,9 @@ QImage LocusPlot::density(const PanelLayout& layout) const {
 Panel LocusPlot::panel() {
   const PlotTheme& theme = view_.themeFor(font());
   Panel panel;
-  panel.title = tr("Colours of the picture over those of skin").toStdString();
-  panel.isSmall = true;
-  panel.x = linearAxis(kFromU, kToU, kMostTicks, localTickWords);
+  panel.x = linearAxis(bounds_.left(), bounds_.right(), kMostTicks, localTickWords);
   panel.x.title = "u′";
-  panel.y = linearAxis(kFromV, kToV, kMostTicks, localTickWords);
+  panel.y = linearAxis(bounds_.top(), bounds_.bottom(), kMostTicks, localTickWords);
   panel.y.title = "v′";
   if (sheet_.empty()) {
     panel.message = tr("Nothing is fitted yet").toStdString();

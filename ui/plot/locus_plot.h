@@ -7,6 +7,7 @@
 
 #include <QImage>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 #include <QWidget>
 
@@ -49,6 +50,7 @@ class LocusPlot : public QWidget {
   std::vector<LocusCurve> sheet_;
   std::vector<QPointF> colors_;
   QPointF cursor_;
+  QRectF bounds_ = {0.0, 0.0, 1.0, 1.0};  // of what is shown
   PanelView view_;
 };
 

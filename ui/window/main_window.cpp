@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "ui/commands/command_palette.h"
 #include "ui/commands/command_registry.h"
 #include "ui/commands/shortcut_settings.h"

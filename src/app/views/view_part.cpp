@@ -1,4 +1,4 @@
-#include "src/app/document/view_part.h"
+#include "src/app/views/view_part.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/render/box_average.h"
-#include "src/app/document/picture_bands.h"
-#include "src/app/document/view_samples.h"
 #include "src/app/open/photograph_part.h"
+#include "src/app/views/picture_bands.h"
+#include "src/app/views/view_samples.h"
 
 namespace cutis {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/app/document/view_kind.h"
+#include "src/app/views/view_kind.h"
 
 #include "core/rig/rig.h"
 

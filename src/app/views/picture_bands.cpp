@@ -1,4 +1,4 @@
-#include "src/app/document/picture_bands.h"
+#include "src/app/views/picture_bands.h"
 
 #include <utility>
 #include <vector>

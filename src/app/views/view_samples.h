@@ -1,4 +1,4 @@
-#pragma once  // internal to src/app/document
+#pragma once  // internal to src/app/views
 
 // What a view is made of, at the resolution of the screen and in memory: while nothing changes but
 // the edits, the next picture follows the samples, whatever the size of the file they are of.
@@ -13,8 +13,8 @@
 #include "core/base/result.h"
 #include "core/render/skin_samples.h"
 #include "src/app/document/scene.h"
-#include "src/app/document/view_part.h"
 #include "src/app/engine.h"
+#include "src/app/views/view_part.h"
 
 namespace cutis {
 

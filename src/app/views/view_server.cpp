@@ -1,4 +1,4 @@
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#pragma once  // internal to src/app/document
+#pragma once  // internal to src/app/views
 
 // Pictures computed band by band, on all cores.
 

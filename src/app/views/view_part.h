@@ -11,9 +11,9 @@
 #include "core/render/render_picture.h"
 #include "src/app/document/pixel_marks.h"
 #include "src/app/document/scene.h"
-#include "src/app/document/view_kind.h"
 #include "src/app/engine.h"
 #include "src/app/picture_request.h"
+#include "src/app/views/view_kind.h"
 
 namespace cutis {
 

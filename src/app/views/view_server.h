@@ -8,7 +8,7 @@
 // follows when it rests, whether it is let go or not, and after it, where a sample stands for
 // several texels of light, their mean. Whatever changes stops what it makes needless.
 //
-// What a watch last showed is kept as samples in memory (src/app/document/view_samples.h): an edit
+// What a watch last showed is kept as samples in memory (src/app/views/view_samples.h): an edit
 // reads no plane again.
 //
 // Lives on the interface thread.
@@ -22,11 +22,11 @@
 #include <QTimer>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_part.h"
-#include "src/app/document/view_samples.h"
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
 #include "src/app/picture_request.h"
+#include "src/app/views/view_part.h"
+#include "src/app/views/view_samples.h"
 
 namespace cutis {
 

@@ -1,12 +1,12 @@
-#include "src/app/document/view_samples.h"
+#include "src/app/views/view_samples.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "src/app/document/picture_bands.h"
 #include "src/app/open/photograph_part.h"
+#include "src/app/views/picture_bands.h"
 
 namespace cutis {
 namespace {
