@@ -19,7 +19,8 @@ DistributionPanel::DistributionPanel(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(theme::kSpace, theme::kHalfSpace, theme::kSpace, theme::kHalfSpace);
   column->setSpacing(theme::kHalfSpace);
-  auto* sheet = new QLabel(tr("The picture's colours over those of skin"), this);
+  auto* sheet = new QLabel(
+      tr("The picture's colours over those of skin: u′ across, v′ upwards (CIE 1976)"), this);
   for (QLabel* label : {counted_, sheet}) {
     label->setFont(theme::smallFont(*label));
     label->setWordWrap(true);

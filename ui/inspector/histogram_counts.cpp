@@ -67,8 +67,11 @@ HistogramSpec histogramOf(const ViewPart& part, const ViewDescription& view, con
                            countsOf(channels[c], spec.from, spec.to)});
   }
   const QLocale locale;
+  const QString what = isColor               ? tr("%1, linear value (Rec.709)").arg(name)
+                       : spec.unit.isEmpty() ? name
+                                             : tr("%1, %2").arg(name, spec.unit);
   spec.title = tr("%1: %2 of %3 pixels")
-                   .arg(name, locale.toString(static_cast<qulonglong>(counted)),
+                   .arg(what, locale.toString(static_cast<qulonglong>(counted)),
                         locale.toString(static_cast<qulonglong>(pixels)));
   return spec;
 }

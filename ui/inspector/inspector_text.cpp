@@ -145,9 +145,10 @@ void addDifferences(const InspectedPlace& place, const InspectedScene& scene, Ro
 
 void addDisplay(const InspectedScene& scene, Rows& rows) {
   rows.push_back(heading(tr("Display")));
-  rows.push_back({tr("View"), tr("sRGB, exposure %1, γ %2")
-                                  .arg(scene.adjustment.stops, 0, 'f', 2)
-                                  .arg(scene.adjustment.gamma, 0, 'f', 2)});
+  rows.push_back({tr("View"), tr("sRGB")});
+  rows.push_back({tr("Exposure, γ"), QString("%1, %2")
+                                         .arg(scene.adjustment.stops, 0, 'f', 2)
+                                         .arg(scene.adjustment.gamma, 0, 'f', 2)});
   rows.push_back({tr("Screen"),
                   tr("taken as sRGB"),
                   {},

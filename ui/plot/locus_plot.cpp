@@ -114,7 +114,7 @@ QImage LocusPlot::density(const PanelLayout& layout) const {
                                static_cast<std::size_t>(x)];
       if (count == 0) continue;
       const double share = std::log1p(count) / std::log1p(most);
-      const int alpha = 60 + static_cast<int>(180 * share);
+      const int alpha = 40 + static_cast<int>(130 * share);
       image.setPixelColor(x, y, QColor(accent.red(), accent.green(), accent.blue(), alpha));
     }
   }
