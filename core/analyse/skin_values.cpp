@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <iterator>
 
+#include "core/analyse/gamut.h"
+
 namespace cutis {
 namespace {
 
@@ -45,7 +47,9 @@ SkinValues skinValuesOf(const JudgedPixels& pixels, const ParameterAxes& axes) {
   const auto count = std::count(isSkin.begin(), isSkin.end(), 1);
   if (static_cast<double>(count) < kFewestShare * static_cast<double>(pixels.count()))
     isSkin.assign(pixels.count(), 1);
-  return valuesOf(pixels, isSkin);
+  SkinValues values = valuesOf(pixels, isSkin);
+  values.medianDeltaE = gamutOf(pixels).medianDeltaE;
+  return values;
 }
 
 std::optional<ValueRange> typicalRange(const std::vector<float>& sorted) {

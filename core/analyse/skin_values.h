@@ -15,6 +15,8 @@ namespace cutis {
 // The values of each parameter in ascending order, in its unit.
 struct SkinValues {
   std::array<std::vector<float>, kParameterCount> sorted;
+  // ΔE2000 of the reconstruction, over the pixels that can be skin; only of albedo textures.
+  std::optional<double> medianDeltaE;
 };
 
 // The values of pixels that can be skin of the profile and whose concentrations are below the ends

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/fit/coefficient_line.h"
+#include "core/fit/deviation_limit.h"
 #include "core/maths/decompositions.h"
 
 namespace cutis {
@@ -127,14 +128,23 @@ MatrixXd SpectrumPosterior::covariance(std::span<const double> channels,
   return gainAt(linearise(values), channels).covariance;
 }
 
-Spectrum SpectrumPosterior::deviation(std::span<const double> channels,
-                                      std::span<const double> values) const {
+SpectrumPosterior::Deviations SpectrumPosterior::deviations(std::span<const double> channels,
+                                                            std::span<const double> values) const {
   const Linearisation at = linearise(values);
   const Gain gain = gainAt(at, channels);
   Spectrum variance =
       (at.derivatives * gain.covariance).cwiseProduct(at.derivatives).rowwise().sum().array();
   if (discrepancy_ != nullptr) variance += restVariance(at, gain);
-  return variance.max(0.0).sqrt();
+  Deviations found;
+  found.reflectance = variance.max(0.0).sqrt();
+  for (int i = 0; i < kParameterCount; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double perCoordinate = coordinates_.isLog[k] ? values[k] : 1.0;
+    found.parameters[i] =
+        limitedDeviation(std::sqrt(std::max(gain.covariance(i, i), 0.0)) * perCoordinate, values[k],
+                         model_.profile().axes[k].maximum);
+  }
+  return found;
 }
 
 Spectrum SpectrumPosterior::reflectance(std::span<const double> values) const {

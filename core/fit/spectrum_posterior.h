@@ -45,7 +45,16 @@ class SpectrumPosterior {
   Eigen::MatrixXd covariance(std::span<const double> channels,
                              std::span<const double> values) const;
   // Standard deviation of the reflectance at each sample.
-  Spectrum deviation(std::span<const double> channels, std::span<const double> values) const;
+  Spectrum deviation(std::span<const double> channels, std::span<const double> values) const {
+    return deviations(channels, values).reflectance;
+  }
+  // That, and the deviations of the parameters as maps have them (core/fit/deviation_limit.h), 0
+  // for those that are held.
+  struct Deviations {
+    ParameterVector parameters;
+    Spectrum reflectance;
+  };
+  Deviations deviations(std::span<const double> channels, std::span<const double> values) const;
   // The reflectance itself, and what the channels are of it.
   Spectrum reflectance(std::span<const double> values) const;
   std::vector<double> channels(std::span<const double> values) const;

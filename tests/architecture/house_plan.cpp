@@ -94,6 +94,7 @@ constexpr Room kRooms[] = {
     {"src/app/document",
      "core/* src/files/* src/images/* src/color src/app src/app/open "
      "src/app/project"},
+    {"src/app/views", "core/* src/files/* src/app src/app/open src/app/document"},
     {"src/app/export",
      "core/* src/files/* src/images/* src/color src/app src/app/open src/app/document"},
     {"src/app/training", "core/* src/files/* src/app src/app/open src/app/document"},
@@ -123,24 +124,32 @@ constexpr Room kRooms[] = {
     {"ui/widgets", "core/base core/spectra core/skin/profile src/app/training ui/theme"},
     {"ui/color", "core/spectra core/analyse src/app/document ui/theme"},
     {"ui/view",
-     "core/base core/maths core/spectra core/skin/* src/app src/app/document ui/theme ui/widgets "
+     "core/base core/maths core/spectra core/skin/* src/app src/app/document src/app/views "
+     "ui/theme ui/widgets "
      "ui/color"},
     {"ui/compare",
-     "core/base core/edit core/render src/app src/app/document ui/theme ui/color "
+     "core/base core/edit core/render src/app src/app/document src/app/views ui/theme ui/color "
      "ui/view"},
     {"ui/docks", "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view"},
     {"ui/dialogs",
      "core/* src/files/* src/images/* src/app/* ui/theme ui/commands ui/plot ui/widgets"},
     {"ui/edits", "core/* src/files/* src/app/* ui/theme ui/widgets ui/view ui/docks ui/dialogs"},
+    {"ui/spectrum",
+     "core/* src/files/* src/report/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view "
+     "ui/dialogs"},
+    {"ui/inspector",
+     "core/* src/files src/app src/app/document src/app/views ui/theme ui/color ui/plot ui/widgets "
+     "ui/view"},
     {"ui/documents",
      "core/* src/files/* src/app/* ui/theme ui/commands ui/plot ui/widgets ui/view ui/compare "
-     "ui/docks ui/dialogs ui/edits"},
+     "ui/docks ui/dialogs ui/edits ui/spectrum ui/inspector"},
     {"ui/menus",
      "core/base core/skin/profile src/app/* src/files/system ui/theme ui/color ui/commands ui/view "
-     "ui/compare ui/docks ui/dialogs ui/edits ui/documents"},
+     "ui/compare ui/docks ui/dialogs ui/edits ui/spectrum ui/documents"},
     {"ui/window",
      "core/* src/files/* src/images/* src/color src/app/* ui/theme ui/color ui/commands ui/plot "
-     "ui/widgets ui/view ui/compare ui/docks ui/dialogs ui/edits ui/documents ui/menus"},
+     "ui/widgets ui/view ui/compare ui/docks ui/dialogs ui/edits ui/spectrum ui/documents "
+     "ui/menus"},
     {"src/cutis", "core/* src/files/* src/images/* src/color src/app/* ui/*"},
 };
 

@@ -2,7 +2,7 @@
 
 // A part of a view as the server shows it at rest.
 
-#include "src/app/document/view_samples.h"
+#include "src/app/views/view_samples.h"
 
 namespace cutis::test {
 

@@ -23,6 +23,10 @@
 #include "ui/dialogs/training_controller.h"
 #include "ui/docks/edit_controller.h"
 #include "ui/docks/workspace.h"
+#include "ui/documents/document_page.h"
+#include "ui/documents/document_tabs.h"
+#include "ui/spectrum/pin_controller.h"
+#include "ui/spectrum/reference_curves.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/factor_field.h"
@@ -306,12 +310,18 @@ class CommandsTest : public test::UiTest {
     waitUntilIdle();
     QVERIFY(window_->document().isFitted());
   }
-  // Something to undo and something to redo, and the keyboard in the picture.
+  // Something to undo and something to redo, a pin and a reference spectrum, and the keyboard in
+  // the picture.
   void prepare() {
     window_->edits().setFactor(kMelanin, 1.4, false);
     window_->edits().setFactor(kMelanin, 1.6, false);
     window_->document().undo();
     window_->views().show(ViewKind::melanin);
+    DocumentPage& page = window_->tabs().current();
+    if (window_->document().pins().pins.empty()) page.pins().add(500, 500);
+    page.pins().select("A");
+    folder_.write("forearm.csv", "wavelength,reflectance\n400,0.2\n500,0.3\n600,0.5\n");
+    page.references().add(QString::fromStdString((folder_ / "forearm.csv").string()));
     activate();
     window_->viewport().setFocus();
     waitUntilIdle();

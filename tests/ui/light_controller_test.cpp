@@ -3,7 +3,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/ui_test.h"
 #include "ui/docks/light_panel.h"

@@ -9,7 +9,7 @@
 
 #include "core/edit/edit_stack.h"
 #include "src/app/document/document.h"
-#include "src/app/document/view_kind.h"
+#include "src/app/views/view_kind.h"
 
 namespace cutis {
 

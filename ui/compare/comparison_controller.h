@@ -13,8 +13,8 @@
 
 #include "core/edit/edit_stack.h"
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
 #include "src/app/job_runner.h"
+#include "src/app/views/view_server.h"
 #include "ui/compare/comparison.h"
 #include "ui/compare/difference_job.h"
 #include "ui/view/picture_split.h"

@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "src/app/document/view_part.h"
 #include "src/app/job_runner.h"
+#include "src/app/views/view_part.h"
 
 namespace cutis {
 

@@ -1,6 +1,6 @@
 #include "ui/docks/info_controller.h"
 
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "ui/docks/info_panel.h"
 
 namespace cutis {

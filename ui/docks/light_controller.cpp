@@ -1,6 +1,6 @@
 #include "ui/docks/light_controller.h"
 
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "ui/docks/light_panel.h"
 #include "ui/view/view_controller.h"
 

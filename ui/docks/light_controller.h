@@ -5,7 +5,7 @@
 
 #include <QObject>
 
-#include "src/app/document/view_part.h"
+#include "src/app/views/view_part.h"
 #include "ui/docks/light_choice.h"
 
 namespace cutis {

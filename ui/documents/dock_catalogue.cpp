@@ -14,13 +14,22 @@
 #include "ui/docks/light_catalogue.h"
 #include "ui/docks/light_controller.h"
 #include "ui/docks/light_panel.h"
-#include "ui/docks/spectrum_controller.h"
 #include "ui/docks/workspace.h"
 #include "ui/documents/document_page.h"
 #include "ui/edits/history_controller.h"
 #include "ui/edits/history_panel.h"
 #include "ui/edits/preset_catalogue.h"
+#include "ui/inspector/distribution_controller.h"
+#include "ui/inspector/distribution_panel.h"
+#include "ui/inspector/inspector_controller.h"
+#include "ui/inspector/inspector_panel.h"
 #include "ui/plot/spectrum_plot.h"
+#include "ui/spectrum/pin_controller.h"
+#include "ui/spectrum/pin_table.h"
+#include "ui/spectrum/reference_curves.h"
+#include "ui/spectrum/spectrum_controller.h"
+#include "ui/spectrum/spectrum_export.h"
+#include "ui/spectrum/spectrum_panel.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/view_strip.h"
 #include "ui/widgets/panel_scroll.h"
@@ -40,10 +49,28 @@ QWidget* makeViews(DocumentPage& page, CommandRegistry& commands) {
   return strip;
 }
 
-QWidget* makeSpectrum(DocumentPage& page, ProgressStrip& progress) {
-  auto* plot = new SpectrumPlot;
-  new SpectrumController(page.document(), page.viewport(), *plot, progress, plot);
-  return plot;
+QWidget* makeSpectrum(DocumentPage& page, CommandRegistry& commands) {
+  auto* panel = new SpectrumPanel;
+  const QStringList exports = {"spectrum.copyCurves",
+                               "spectrum.copyFigure",
+                               "spectrum.saveFigure",
+                               "",
+                               "spectrum.copyPins",
+                               "spectrum.savePins",
+                               "",
+                               "spectrum.copyMethods"};
+  panel->setExports(commandMenu(*panel, commands, exports));
+  giveContextMenu(panel->plot(), commands,
+                  exports + QStringList{"", "spectrum.addReference", "spectrum.removeReferences",
+                                        "", "dock.spectrum"});
+  giveContextMenu(panel->table(), commands,
+                  {"spectrum.referencePin", "spectrum.renamePin", "spectrum.deletePin", "",
+                   "spectrum.copyPins", "spectrum.savePins"});
+  page.spectrumExport().attach(*panel);
+  page.references().attach(*panel);
+  page.spectrum().attach(*panel);
+  page.pins().attach(*panel);
+  return panel;
 }
 
 QWidget* makeEdit(DocumentPage& page, CommandRegistry& commands) {
@@ -101,8 +128,7 @@ QWidget* makeFit(DocumentPage& page, CommandRegistry& commands) {
 
 }  // namespace
 
-std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& progress,
-                                           CommandRegistry& commands) {
+std::vector<DockDescription> dockCatalogue(DocumentPage& page, CommandRegistry& commands) {
   return {
       {.id = "views",
        .title = tr("&Views"),
@@ -134,14 +160,41 @@ std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& pr
        .shownAtFirst = false,
        .behind = "history",
        .makePanel = [&page] { return makeInfo(page); }},
+      {.id = "inspector",
+       .title = tr("I&nspector"),
+       .shortcut = QKeySequence(tr("Ctrl+Shift+I")),
+       .shownAtFirst = false,
+       .behind = "history",
+       .makePanel =
+           [&page] {
+             auto* panel = new InspectorPanel;
+             page.inspector().attach(*panel);
+             return panel;
+           },
+       .seen = [&page](QWidget&, bool seen) { page.inspector().setSeen(seen); }},
+      {.id = "distribution",
+       .title = tr("&Distribution"),
+       .shortcut = QKeySequence(tr("Ctrl+D")),
+       .shownAtFirst = false,
+       .behind = "history",
+       .makePanel =
+           [&page] {
+             auto* panel = new DistributionPanel;
+             page.distributions().attach(*panel);
+             return panel;
+           },
+       .seen = [&page](QWidget&, bool seen) { page.distributions().setSeen(seen); }},
       {.id = "spectrum",
        .title = tr("&Spectrum"),
        .area = Qt::BottomDockWidgetArea,
        .shortcut = Qt::Key_F9,
        .extent = 240,
-       .makePanel = [&page, &progress] { return makeSpectrum(page, progress); },
-       .seen = [](QWidget& plot,
-                  bool seen) { plot.findChild<SpectrumController*>()->setSeen(seen); }},
+       .makePanel = [&page, &commands] { return makeSpectrum(page, commands); },
+       .seen =
+           [&page](QWidget&, bool seen) {
+             page.spectrum().setSeen(seen);
+             page.pins().setSeen(seen);
+           }},
   };
 }
 

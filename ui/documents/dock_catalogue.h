@@ -8,11 +8,9 @@ namespace cutis {
 
 class CommandRegistry;
 class DocumentPage;
-class ProgressStrip;
 
 // The docks of a page. A new one is a panel, a controller and a row here: its place in the menu,
 // its shortcut and its memory come from the row. All outlive the docks.
-std::vector<DockDescription> dockCatalogue(DocumentPage& page, ProgressStrip& progress,
-                                           CommandRegistry& commands);
+std::vector<DockDescription> dockCatalogue(DocumentPage& page, CommandRegistry& commands);
 
 }  // namespace cutis

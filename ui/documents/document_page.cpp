@@ -19,6 +19,12 @@
 #include "ui/documents/dock_catalogue.h"
 #include "ui/documents/project_view.h"
 #include "ui/edits/preset_controller.h"
+#include "ui/inspector/distribution_controller.h"
+#include "ui/inspector/inspector_controller.h"
+#include "ui/spectrum/pin_controller.h"
+#include "ui/spectrum/reference_curves.h"
+#include "ui/spectrum/spectrum_controller.h"
+#include "ui/spectrum/spectrum_export.h"
 #include "ui/view/view_controller.h"
 #include "ui/view/viewport.h"
 #include "ui/widgets/notice_bar.h"
@@ -40,7 +46,14 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
           std::make_unique<ComparisonController>(*document_, jobs_, *server_, *views_, *viewport_)),
       edits_(std::make_unique<EditController>(*document_, *views_)),
       presets_(std::make_unique<PresetController>(*document_, *views_, progress, this)),
+      distributions_(std::make_unique<DistributionController>(*document_, jobs_, *server_, *views_,
+                                                              *viewport_)),
+      inspector_(std::make_unique<InspectorController>(*document_, jobs_, *views_, *viewport_)),
       light_(std::make_unique<LightController>(*server_, *views_)),
+      spectrum_(std::make_unique<SpectrumController>(*document_, jobs_, *viewport_, progress)),
+      pins_(std::make_unique<PinController>(*document_, jobs_, *viewport_, progress, this)),
+      spectrumExport_(std::make_unique<SpectrumExport>(*document_, jobs_, *pins_, progress, this)),
+      references_(std::make_unique<ReferenceCurves>(jobs_, progress, this)),
       fit_(std::make_unique<FitController>(*document_)),
       training_(std::make_unique<TrainingController>(*document_, engine, jobs_, this)),
       exports_(std::make_unique<ExportController>(*document_, engine, jobs_, progress, this)),
@@ -52,7 +65,7 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
   column->setSpacing(0);
   column->addWidget(notice_);
   column->addWidget(workspace_, 1);
-  workspace_->add(dockCatalogue(*this, progress, commands));
+  workspace_->add(dockCatalogue(*this, commands));
   connect(document_.get(), &Document::opened, this,
           [this] { showProjectView(*this, document_->view()); });
   // What is read again is shown as it is looked at now.
@@ -84,6 +97,10 @@ DocumentPage::DocumentPage(Engine& engine, ProgressStrip& progress, CommandRegis
                    "",
                    "edit.copyEdits",
                    "edit.pasteEdits",
+                   "",
+                   "spectrum.referencePin",
+                   "spectrum.renamePin",
+                   "spectrum.deletePin",
                    "",
                    "file.export"});
 }

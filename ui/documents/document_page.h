@@ -10,25 +10,31 @@
 #include <QWidget>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
 #include "src/app/engine.h"
 #include "src/app/job_runner.h"
 #include "src/app/project/journal.h"
+#include "src/app/views/view_server.h"
 
 namespace cutis {
 
 class Autosave;
 class CommandRegistry;
 class ComparisonController;
+class DistributionController;
 class EditController;
 class ExportController;
 class FitController;
+class InspectorController;
 class LightController;
 class NoticeBar;
+class PinController;
 class PresetController;
 class ProgressStrip;
+class ReferenceCurves;
 class ReopenController;
 class SaveController;
+class SpectrumController;
+class SpectrumExport;
 class TrainingController;
 class ViewController;
 class Viewport;
@@ -81,7 +87,13 @@ class DocumentPage : public QWidget {
   ComparisonController& comparison() { return *comparison_; }
   EditController& edits() { return *edits_; }
   PresetController& presets() { return *presets_; }
+  DistributionController& distributions() { return *distributions_; }
+  InspectorController& inspector() { return *inspector_; }
   LightController& light() { return *light_; }
+  SpectrumController& spectrum() { return *spectrum_; }
+  PinController& pins() { return *pins_; }
+  SpectrumExport& spectrumExport() { return *spectrumExport_; }
+  ReferenceCurves& references() { return *references_; }
   FitController& fit() { return *fit_; }
   TrainingController& training() { return *training_; }
   ExportController& exports() { return *exports_; }
@@ -105,7 +117,13 @@ class DocumentPage : public QWidget {
   std::unique_ptr<ComparisonController> comparison_;
   std::unique_ptr<EditController> edits_;
   std::unique_ptr<PresetController> presets_;
+  std::unique_ptr<DistributionController> distributions_;
+  std::unique_ptr<InspectorController> inspector_;
   std::unique_ptr<LightController> light_;
+  std::unique_ptr<SpectrumController> spectrum_;
+  std::unique_ptr<PinController> pins_;
+  std::unique_ptr<SpectrumExport> spectrumExport_;
+  std::unique_ptr<ReferenceCurves> references_;
   std::unique_ptr<FitController> fit_;
   std::unique_ptr<TrainingController> training_;
   std::unique_ptr<ExportController> exports_;

@@ -20,6 +20,7 @@
 #include "ui/menus/compare_commands.h"
 #include "ui/menus/preset_commands.h"
 #include "ui/menus/private_data.h"
+#include "ui/menus/spectrum_commands.h"
 #include "ui/menus/view_commands.h"
 #include "ui/view/viewport.h"
 
@@ -351,9 +352,9 @@ Rows helpCommands(const Editor& editor) {
 
 std::vector<CommandDescription> commandCatalogue(const Editor& editor) {
   Rows all;
-  for (const auto& part :
-       {openCommands, sourceCommands, fileCommands, editCommands, presetCommands, zoomCommands,
-        viewCommands, compareCommands, dockCommands, tabCommands, fitCommands, helpCommands}) {
+  for (const auto& part : {openCommands, sourceCommands, fileCommands, editCommands, presetCommands,
+                           spectrumCommands, zoomCommands, viewCommands, compareCommands,
+                           dockCommands, tabCommands, fitCommands, helpCommands}) {
     for (CommandDescription& row : part(editor))
       all.push_back(std::move(row));
   }

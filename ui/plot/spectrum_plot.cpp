@@ -2,66 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <iterator>
 #include <utility>
 
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QGuiApplication>
 #include <QKeyEvent>
-#include <QLocale>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QWheelEvent>
 
-#include "core/spectra/grid.h"
+#include "ui/plot/pin_colors.h"
 #include "ui/plot/window_theme.h"
 #include "ui/theme/theme.h"
 
 namespace cutis {
 namespace {
 
-constexpr double kHeadroom = 1.03;
 constexpr int kKeySamples = 5;
-constexpr double kPointRadius = 3;
-constexpr double kBandDeviations = 2;
-constexpr std::uint8_t kBandAlpha = 60;
-constexpr double kCrosshairRadius = 4.5;
-constexpr int kReflectanceSteps = 5;
-constexpr int kWavelengthSteps = 7;
-// The longest number on the axis of reflectance, so that the axis does not move from pixel to
-// pixel.
-constexpr char kWidestNumber[] = "0.000";
-
-double largest(const QVector<double>& curve) {
-  double most = 0;
-  for (const double value : curve) {
-    if (std::isfinite(value)) most = std::max(most, value);
-  }
-  return most;
-}
+constexpr int kWheelNotch = 120;
 
 QVector<double> onTheGrid(const QVector<double>& curve) {
   return curve.size() == kSampleCount ? curve : QVector<double>();
 }
 
-const std::vector<double>& gridNm() {
-  static const std::vector<double> values = [] {
-    std::vector<double> all;
-    for (int i = 0; i < kSampleCount; ++i)
-      all.push_back(wavelengthNm(i));
-    return all;
-  }();
-  return values;
+PlaceCurves onTheGrid(const PlaceCurves& curves) {
+  return {onTheGrid(curves.original), onTheGrid(curves.edited), onTheGrid(curves.deviation)};
 }
 
 int nearestSample(double nm) {
   return static_cast<int>(std::lround((nm - kFirstWavelengthNm) / kWavelengthStepNm));
-}
-
-Shade shadeOf(const QString& name, const Band& band, Color color) {
-  return {static_cast<double>(wavelengthNm(band.first)),
-          static_cast<double>(wavelengthNm(band.last)), color, name.toStdString()};
 }
 
 }  // namespace
@@ -70,40 +38,68 @@ SpectrumPlot::SpectrumPlot(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Spectrum"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  clear();
 }
 
-void SpectrumPlot::setCurves(const QVector<double>& original, const QVector<double>& edited,
-                             const QVector<double>& deviation) {
-  original_ = onTheGrid(original);
-  edited_ = onTheGrid(edited);
-  deviation_ = original_.isEmpty() ? QVector<double>() : onTheGrid(deviation);
-  fitAxis();
-}
-
-void SpectrumPlot::setMeasured(const QVector<MeasuredChannel>& channels) {
-  measured_ = channels;
-  fitAxis();
-}
-
-void SpectrumPlot::setHeading(const QString& heading) {
+void SpectrumPlot::setPlace(const QString& heading, const PlaceCurves& curves,
+                            const QVector<MeasuredChannel>& channels) {
   heading_ = heading;
+  figure_.place = onTheGrid(curves);
+  figure_.channels = channels;
+  figureChanged();
+}
+
+void SpectrumPlot::setPins(const std::vector<PinnedCurves>& pins) {
+  figure_.pins = pins;
+  for (PinnedCurves& pin : figure_.pins)
+    pin.curves = onTheGrid(pin.curves);
+  figureChanged();
+}
+
+void SpectrumPlot::setReferences(const std::vector<NamedCurve>& references) {
+  figure_.references.clear();
+  std::copy_if(references.begin(), references.end(), std::back_inserter(figure_.references),
+               [](const NamedCurve& curve) { return curve.values.size() == kSampleCount; });
+  figureChanged();
+}
+
+void SpectrumPlot::setMeasured(const std::optional<Band>& measured) {
+  figure_.measured = measured;
   update();
+}
+
+void SpectrumPlot::setParts(SpectrumQuantity quantity, const std::vector<NamedCurve>& parts) {
+  figure_.quantity = quantity;
+  figure_.parts = parts;
+  figureChanged();
 }
 
 void SpectrumPlot::clear() {
+  SpectrumFigure empty;
+  empty.references = figure_.references;
+  empty.quantity = figure_.quantity;
+  figure_ = empty;
   heading_.clear();
-  measured_.clear();
-  setCurves({}, {});
+  axis_.forget();
+  figureChanged();
 }
 
-void SpectrumPlot::fitAxis() {
-  double most = std::max(largest(original_), largest(edited_));
-  for (const MeasuredChannel& channel : measured_) {
-    const double end = channel.reflectance + channel.deviation;
-    if (std::isfinite(end)) most = std::max(most, end);
-  }
-  maximum_ = most > 0 ? niceCeiling(kHeadroom * most, kReflectanceSteps) : 1;
+void SpectrumPlot::figureChanged() {
+  const QString quantity = figure_.quantity == SpectrumQuantity::reflectance ? tr("Reflectance")
+                           : figure_.quantity == SpectrumQuantity::absorption
+                               ? tr("Absorption in mm⁻¹")
+                               : tr("Contributions");
+  figure_.title = heading_.isEmpty() ? quantity : tr("%1, %2").arg(quantity, heading_);
+  axis_.see(largestValue(figure_));
+  figure_.maximum = axis_.maximum();
   update();
+  const bool isEmpty = !hasCurves(figure_);
+  if (isEmpty != std::exchange(isEmpty_, isEmpty)) Q_EMIT emptinessChanged();
+}
+
+void SpectrumPlot::stepAxis(int count) {
+  axis_.step(count);
+  figureChanged();
 }
 
 QSize SpectrumPlot::sizeHint() const {
@@ -119,6 +115,10 @@ QRectF SpectrumPlot::outside() const {
 
 const PlotTheme& SpectrumPlot::plotTheme() const {
   return view_.themeFor(font());
+}
+
+Panel SpectrumPlot::panel() const {
+  return panelOf(figure_, {plotTheme(), localTickWords, pinColor, false, crosshair_, pointedAt_});
 }
 
 PanelLayout SpectrumPlot::layout() const {
@@ -137,132 +137,34 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
   if (hasFocus()) theme::drawFocusRing(painter, QRectF(rect()));
 }
 
-Panel SpectrumPlot::emptyPanel() const {
-  const PlotTheme& theme = plotTheme();
-  Panel panel;
-  panel.title =
-      (heading_.isEmpty() ? tr("Reflectance") : tr("Reflectance, %1").arg(heading_)).toStdString();
-  panel.shades = {shadeOf(tr("UV"), kUltravioletBand, theme.outerShade),
-                  shadeOf(tr("Visible"), kVisibleBand, theme.shade),
-                  shadeOf(tr("NIR"), kNearInfraredBand, theme.outerShade)};
-  panel.x = linearAxis(kFirstWavelengthNm, kLastWavelengthNm, kWavelengthSteps);
-  panel.x.unit = tr("nm").toStdString();
-  panel.x.hasGrid = false;
-  panel.y = linearAxis(0, maximum_, kReflectanceSteps, localTickWords);
-  panel.y.widest = kWidestNumber;
-  return panel;
-}
-
-Panel SpectrumPlot::panel() const {
-  Panel panel = emptyPanel();
-  if (original_.isEmpty() && edited_.isEmpty()) {
-    panel.message = tr("Point at the skin to see its spectrum").toStdString();
-    return panel;
-  }
-  if (crosshair_) {
-    const double nm = wavelengthNm(*crosshair_);
-    panel.cursor = Tick{nm, tr("%1 nm").arg(nm).toStdString(), {}, false};
-  }
-  addBand(panel);
-  addCurve(panel, original_, tr("Original"), firstCurveStroke(plotTheme()));
-  addCurve(panel, edited_, tr("Edited"), secondCurveStroke(plotTheme()));
-  addMeasured(panel);
-  return panel;
-}
-
-// With a point where the crosshair is.
-void SpectrumPlot::addCurve(Panel& panel, const QVector<double>& values, const QString& name,
-                            const Stroke& stroke) const {
-  if (values.isEmpty()) return;
-  panel.curves.push_back({gridNm(), {values.begin(), values.end()}, stroke, {}});
-  panel.legend.push_back({legendText(name, values).toStdString(), stroke, {}});
-  if (!crosshair_) return;
-  PlotPoint point;
-  point.x = wavelengthNm(*crosshair_);
-  point.y = values[*crosshair_];
-  point.marker = {stroke.color, kCrosshairRadius};
-  panel.points.push_back(point);
-}
-
-// Where the original lies with 95 % probability.
-void SpectrumPlot::addBand(Panel& panel) const {
-  if (deviation_.isEmpty()) return;
-  Ribbon band;
-  band.x = gridNm();
-  for (int i = 0; i < original_.size(); ++i) {
-    band.low.push_back(std::max(original_[i] - kBandDeviations * deviation_[i], 0.0));
-    band.high.push_back(original_[i] + kBandDeviations * deviation_[i]);
-  }
-  band.color = firstCurveStroke(plotTheme()).color.faded(kBandAlpha);
-  panel.ribbons = {band};
-}
-
-void SpectrumPlot::addMeasured(Panel& panel) const {
-  if (measured_.isEmpty()) return;
-  const Marker marker = {plotTheme().ink, kPointRadius};
-  for (const MeasuredChannel& channel : measured_) {
-    PlotPoint point;
-    point.x = channel.wavelengthNm;
-    point.y = channel.reflectance;
-    point.marker = marker;
-    point.across = {channel.wavelengthNm - channel.halfWidthNm,
-                    channel.wavelengthNm + channel.halfWidthNm};
-    point.upwards = {channel.reflectance - channel.deviation,
-                     channel.reflectance + channel.deviation};
-    panel.points.push_back(point);
-  }
-  panel.legend.push_back({tr("Photograph").toStdString(), {marker.color, 1.0}, marker});
-}
-
-// With the value under the crosshair: there it hides no curve.
-QString SpectrumPlot::legendText(const QString& name, const QVector<double>& curve) const {
-  if (!crosshair_ || !std::isfinite(curve[*crosshair_])) return name;
-  return name + ' ' + QLocale().toString(curve[*crosshair_], 'f', 4);
-}
-
-void SpectrumPlot::setCrosshair(std::optional<int> sample) {
+void SpectrumPlot::setCrosshair(std::optional<int> sample, std::optional<double> pointedAt) {
   if (sample) sample = std::clamp(*sample, 0, kSampleCount - 1);
-  if (sample == crosshair_) return;
+  if (sample == crosshair_ && pointedAt == pointedAt_) return;
   crosshair_ = sample;
+  pointedAt_ = pointedAt;
   update();
 }
 
 void SpectrumPlot::mouseMoveEvent(QMouseEvent* event) {
   const PanelLayout places = layout();
-  const double x = event->position().x();
-  const bool isInside = places.area.left <= x && x <= places.area.right;
-  const double nm = places.x.valueAt(x);
-  setCrosshair(isInside ? std::optional(nearestSample(nm)) : std::nullopt);
+  const QPointF at = event->position();
+  if (!places.area.holds(Point{at.x(), at.y()})) return setCrosshair({});
+  setCrosshair(nearestSample(places.x.valueAt(at.x())), places.y.valueAt(at.y()));
 }
 
-QString SpectrumPlot::curvesText() const {
-  if (original_.isEmpty()) return {};
-  const std::pair<const char*, const QVector<double>&> columns[] = {
-      {"original", original_}, {"edited", edited_}, {"deviation", deviation_}};
-  QString text = "wavelength_nm";
-  for (const auto& [name, curve] : columns) {
-    if (!curve.isEmpty()) text += QString("\t%1").arg(name);
-  }
-  for (int sample = 0; sample < kSampleCount; ++sample) {
-    text += QString("\n%1").arg(wavelengthNm(sample));
-    for (const auto& [name, curve] : columns) {
-      if (!curve.isEmpty()) text += QString("\t%1").arg(curve[sample], 0, 'g', 6);
-    }
-  }
-  return text + '\n';
+void SpectrumPlot::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  axis_.setAutomatic();
+  figureChanged();
 }
 
-void SpectrumPlot::contextMenuEvent(QContextMenuEvent* event) {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->setToolTipsVisible(true);
-  QAction* copy = menu->addAction(tr("&Copy curves as text"));
-  copy->setEnabled(!original_.isEmpty());
-  copy->setToolTip(original_.isEmpty() ? tr("There is no curve; point at skin in the picture")
-                                       : tr("A table for spreadsheets"));
-  connect(copy, &QAction::triggered, this,
-          [this] { QGuiApplication::clipboard()->setText(curvesText()); });
-  menu->popup(event->globalPos());
+// Away from oneself: the curves grow.
+void SpectrumPlot::wheelEvent(QWheelEvent* event) {
+  wheelRest_ += event->angleDelta().y();
+  const int notches = wheelRest_ / kWheelNotch;
+  wheelRest_ -= notches * kWheelNotch;
+  if (notches != 0) stepAxis(-notches);
+  event->accept();
 }
 
 void SpectrumPlot::leaveEvent(QEvent*) {
@@ -281,6 +183,10 @@ void SpectrumPlot::keyPressEvent(QKeyEvent* event) {
       return setCrosshair(0);
     case Qt::Key_End:
       return setCrosshair(kSampleCount - 1);
+    case Qt::Key_Up:
+      return stepAxis(-1);
+    case Qt::Key_Down:
+      return stepAxis(1);
     case Qt::Key_Escape:
       if (crosshair_) return setCrosshair({});
       break;

@@ -1,11 +1,12 @@
 #pragma once
 
-// Plot of reflectance against wavelength, 300–1000 nm: original and edited curve, the photograph's
-// channels as points with bars, the bands shaded and named, and a crosshair with the numbers under
-// it. The crosshair follows the mouse, or the arrow keys when the plot has the keyboard (shift: one
-// sample; escape hides it). A right click offers to copy the curves.
+// Plot of spectra in the window (ui/plot/spectrum_figure.h), with a crosshair.
 //
-// Reflectance is a share: 0 none, 1 a perfect diffuser. NaN leaves a gap. Interface thread only.
+// The axis ends at the largest reflectance seen so far, so that it stays where it is from place to
+// place; the wheel and the arrow keys up and down choose another end, a double click makes it
+// automatic again. The crosshair follows the mouse and reads out wavelength and reflectance under
+// it; the arrow keys move it along the curves (shift: one sample; escape hides it). Interface
+// thread only.
 
 #include <optional>
 
@@ -14,17 +15,10 @@
 #include <QWidget>
 
 #include "ui/plot/panel_view.h"
+#include "ui/plot/reflectance_axis.h"
+#include "ui/plot/spectrum_figure.h"
 
 namespace cutis {
-
-// One channel of the photograph, as reflectance.
-struct MeasuredChannel {
-  QString name;             // "white, G"
-  double wavelengthNm = 0;  // where most of its response lies
-  double halfWidthNm = 0;   // of its response; drawn as a horizontal bar
-  double reflectance = 0;
-  double deviation = 0;  // standard deviation; drawn as a vertical bar
-};
 
 class SpectrumPlot : public QWidget {
   Q_OBJECT
@@ -32,60 +26,63 @@ class SpectrumPlot : public QWidget {
  public:
   explicit SpectrumPlot(QWidget* parent = nullptr);
 
-  // On the grid of core/spectra/grid.h, 351 values each; an empty `edited` draws the original
-  // alone. A curve of any other length is taken as empty.
-  // `deviation`: standard deviations of the original, of which two are drawn on either side; empty:
-  // none are known.
-  void setCurves(const QVector<double>& original, const QVector<double>& edited,
-                 const QVector<double>& deviation = {});
-  void setMeasured(const QVector<MeasuredChannel>& channels);
-  // What the curves belong to: "Pixel 812, 440".
-  void setHeading(const QString& heading);
+  // Of the place under the cursor, 351 values each; a curve of any other length is taken as empty.
+  void setPlace(const QString& heading, const PlaceCurves& curves,
+                const QVector<MeasuredChannel>& channels = {});
+  // What the place's curves belong to: "pixel 812, 440".
   const QString& heading() const { return heading_; }
-  // Back to the empty state.
+  void clearPlace() { setPlace({}, {}); }
+  void setPins(const std::vector<PinnedCurves>& pins);
+  void setReferences(const std::vector<NamedCurve>& references);
+  // Another quantity, with its curves; reflectance: the place's, the pins' and the references'.
+  void setParts(SpectrumQuantity quantity, const std::vector<NamedCurve>& parts = {});
+  // None: it is not known what the photographs measured.
+  void setMeasured(const std::optional<Band>& measured);
+  // Back to the empty state, the axis included.
   void clear();
 
+  // All that is to be seen, for a picture on paper.
+  const SpectrumFigure& figure() const { return figure_; }
   // Where a value is drawn, in the widget's pixels.
   QPointF pointAt(double wavelengthNm, double reflectance) const;
   // The upper end of the axis, which starts at 0.
-  double maximum() const { return maximum_; }
+  double maximum() const { return figure_.maximum; }
   // The sample under the crosshair.
   std::optional<int> crosshair() const { return crosshair_; }
-  // A table with tabs between its columns, as spreadsheets take it; empty without curves.
-  QString curvesText() const;
+  // The reflectance at the mouse; none while the crosshair is moved by keys.
+  std::optional<double> pointedAt() const { return pointedAt_; }
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
+ Q_SIGNALS:
+  // The first curve has come, or the last one has gone.
+  void emptinessChanged();
+
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  // All that is to be seen, at the moment.
   Panel panel() const;
-  Panel emptyPanel() const;
-  void addCurve(Panel& panel, const QVector<double>& values, const QString& name,
-                const Stroke& stroke) const;
-  void addBand(Panel& panel) const;
-  void addMeasured(Panel& panel) const;
-  QString legendText(const QString& name, const QVector<double>& curve) const;
   QRectF outside() const;
   const PlotTheme& plotTheme() const;
   PanelLayout layout() const;
-  void setCrosshair(std::optional<int> sample);
-  void fitAxis();
+  void setCrosshair(std::optional<int> sample, std::optional<double> pointedAt = {});
+  void figureChanged();
+  void stepAxis(int count);
 
-  QVector<double> original_;
-  QVector<double> edited_;
-  QVector<double> deviation_;
-  QVector<MeasuredChannel> measured_;
+  SpectrumFigure figure_;
+  bool isEmpty_ = true;
   QString heading_;
-  double maximum_ = 1;
+  ReflectanceAxis axis_;
+  int wheelRest_ = 0;  // of a notch
   std::optional<int> crosshair_;
+  std::optional<double> pointedAt_;
   mutable PanelView view_;
 };
 

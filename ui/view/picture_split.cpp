@@ -11,8 +11,8 @@
 namespace cutis {
 namespace {
 
-constexpr double kReach = 6;  // of the line for a mouse, to either side
-constexpr double kGrip = 9;   // half the height of the grip
+constexpr double kLineReach = 6;  // of the line for a mouse, to either side
+constexpr double kGrip = 9;       // half the height of the grip
 const QColor kShade(0x14, 0x14, 0x14, 0xd8);
 
 // Light beside dark, so that it is seen on any picture.
@@ -59,7 +59,7 @@ QPointF PictureSplit::intoFirst(const QPointF& point, int viewWidth) const {
 }
 
 bool PictureSplit::isOnLine(const QPointF& point, int viewWidth) const {
-  return mode == SplitMode::wipe && std::abs(point.x() - lineAt(viewWidth)) <= kReach;
+  return mode == SplitMode::wipe && std::abs(point.x() - lineAt(viewWidth)) <= kLineReach;
 }
 
 void PictureSplit::moveLineTo(double x, int viewWidth) {

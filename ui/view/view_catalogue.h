@@ -8,7 +8,7 @@
 #include <QString>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_part.h"
+#include "src/app/views/view_part.h"
 #include "ui/color/color_scale.h"
 
 namespace cutis {

@@ -13,7 +13,7 @@
 #include <QObject>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "ui/color/color_bar.h"
 #include "ui/color/display_curve.h"
 #include "ui/view/view_image.h"

@@ -6,7 +6,7 @@
 
 #include <QImage>
 
-#include "src/app/document/view_part.h"
+#include "src/app/views/view_part.h"
 #include "ui/color/color_scale.h"
 #include "ui/color/display_curve.h"
 #include "ui/color/display_range.h"

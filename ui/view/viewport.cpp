@@ -4,17 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include <QAbstractSpinBox>
 #include <QApplication>
-#include <QFocusEvent>
-#include <QKeyEvent>
-#include <QLineEdit>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QPlainTextEdit>
-#include <QStyleHints>
-#include <QTextEdit>
-#include <QWheelEvent>
 
 #include "ui/color/color_bar_control.h"
 #include "ui/theme/theme.h"
@@ -22,17 +13,7 @@
 namespace cutis {
 namespace {
 
-constexpr double kFitMargin = 12;      // device-independent pixels
-constexpr double kArrowDistance = 64;  // device-independent pixels
-// One notch of a wheel; a touchpad sends fractions of it.
-constexpr double kZoomPerNotch = 1.25;
-constexpr double kNotch = 120;
-constexpr double kWipeStep = 0.02;  // of the width
-
-bool takesText(const QObject* widget) {
-  return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
-         qobject_cast<const QTextEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget);
-}
+constexpr double kFitMargin = 12;  // device-independent pixels
 
 }  // namespace
 
@@ -129,6 +110,13 @@ void Viewport::setMarks(const MarkedSamples& marks) {
   update();
 }
 
+void Viewport::setMarkers(const QVector<PictureMarker>& markers) {
+  if (markers == markers_) return;
+  markers_ = markers;
+  if (dragged_ && *dragged_ >= markers_.size()) dragged_.reset();
+  update();
+}
+
 void Viewport::setNotice(const QString& notice) {
   if (notice == notice_) return;
   notice_ = notice;
@@ -199,6 +187,18 @@ void Viewport::placeControls() {
                        this->size());
 }
 
+std::optional<int> Viewport::markerUnder(const QPointF& widget) const {
+  const QPointF point = split_.intoFirst(widget, width());
+  return markerAt(markers_, point, [this](const QPointF& image) { return toWidget(image); });
+}
+
+// Where the mouse is beyond the picture the marker stays.
+void Viewport::dragMarker(const QPointF& widget) {
+  const auto pixel = pixelAt(widget);
+  if (pixel && *pixel != markers_[*dragged_].pixel)
+    Q_EMIT markerDragged(*dragged_, pixel->x(), pixel->y());
+}
+
 void Viewport::viewMoved() {
   update();
   hatching_ = {};
@@ -232,6 +232,8 @@ void Viewport::updateShape() {
     setCursor(Qt::OpenHandCursor);
   } else if (wiping_ || (cursor_ && split_.isOnLine(*cursor_, width()))) {
     setCursor(Qt::SplitHCursor);
+  } else if (dragged_ || (cursor_ && markerUnder(*cursor_))) {
+    setCursor(Qt::SizeAllCursor);
   } else {
     unsetCursor();
   }
@@ -246,6 +248,7 @@ void Viewport::paintEvent(QPaintEvent*) {
   painter.restore();
   drawHatching(painter);
   split_.drawFrame(painter, font(), size());
+  drawMarkersOnPanes(painter);
   if (!notice_.isEmpty()) drawNotice(painter);
   if (showFocus_) theme::drawFocusRing(painter, QRectF(rect()));
 }
@@ -264,6 +267,19 @@ void Viewport::drawHatching(QPainter& painter) {
     painter.setClipRect(QRect(QPoint(), split_.paneOf(size())));
   painter.drawImage(QPointF(0, 0), hatching_);
   painter.restore();
+}
+
+void Viewport::drawMarkersOnPanes(QPainter& painter) {
+  const auto place = [this](const QPointF& image) { return toWidget(image); };
+  if (split_.mode != SplitMode::sideBySide) return drawMarkers(painter, font(), markers_, place);
+  const QSize pane = split_.paneOf(size());
+  for (const int left : {0, pane.width()}) {
+    painter.save();
+    painter.translate(left, 0);
+    painter.setClipRect(QRect(QPoint(), pane));
+    drawMarkers(painter, font(), markers_, place);
+    painter.restore();
+  }
 }
 
 void Viewport::drawNotice(QPainter& painter) const {
@@ -292,138 +308,6 @@ void Viewport::moveLine(double x) {
 void Viewport::resizeEvent(QResizeEvent*) {
   layOut();
   if (const auto place = std::exchange(placeToShow_, {})) showPlace(place->first, place->second);
-}
-
-void Viewport::wheelEvent(QWheelEvent* event) {
-  cursor_ = event->position();
-  const double notches = event->angleDelta().y() / kNotch;
-  if (notches != 0) zoomBy(std::pow(kZoomPerNotch, notches));
-  event->accept();
-}
-
-void Viewport::mousePressEvent(QMouseEvent* event) {
-  const bool pans =
-      event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && spaceHeld_);
-  if (pans) {
-    grabbed_ = event->position();
-    updateShape();
-  } else if (event->button() == Qt::LeftButton && split_.isOnLine(event->position(), width())) {
-    wiping_ = true;
-  } else if (event->button() == Qt::LeftButton) {
-    pressed_ = event->position();
-  }
-}
-
-void Viewport::mouseMoveEvent(QMouseEvent* event) {
-  cursor_ = event->position();
-  if (grabbed_) {
-    const QPointF moved = event->position() - *grabbed_;
-    grabbed_ = event->position();
-    geometry_.pan(moved * devicePixelRatioF());
-    viewMoved();
-    return;
-  }
-  if (wiping_) moveLine(event->position().x());
-  updateShape();
-  if (pressed_) {
-    const int far = QGuiApplication::styleHints()->startDragDistance();
-    if ((event->position() - *pressed_).manhattanLength() >= far) pressed_.reset();
-  }
-  updateCursor();
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (grabbed_) {
-    grabbed_.reset();
-    updateShape();
-  } else if (wiping_ && event->button() == Qt::LeftButton) {
-    wiping_ = false;
-    updateShape();
-  } else if (pressed_ && event->button() == Qt::LeftButton) {
-    const std::optional<QPoint> pixel = pixelAt(*pressed_);
-    pressed_.reset();
-    if (pixel) Q_EMIT clicked(pixel->x(), pixel->y());
-  }
-}
-
-void Viewport::leaveEvent(QEvent*) {
-  cursor_.reset();
-  updateCursor();
-}
-
-// Another document comes to the front under a still cursor.
-void Viewport::hideEvent(QHideEvent*) {
-  cursor_.reset();
-  updateCursor();
-}
-
-void Viewport::keyPressEvent(QKeyEvent* event) {
-  const double far = kArrowDistance * devicePixelRatioF();
-  const bool isSideways = event->key() == Qt::Key_Left || event->key() == Qt::Key_Right;
-  if (split_.mode == SplitMode::wipe && isSideways && event->modifiers() == Qt::ShiftModifier) {
-    const double step = event->key() == Qt::Key_Left ? -kWipeStep : kWipeStep;
-    return moveLine((split_.position + step) * width());
-  }
-  QPointF move;
-  switch (event->key()) {
-    case Qt::Key_Left:
-      move = {far, 0};
-      break;
-    case Qt::Key_Right:
-      move = {-far, 0};
-      break;
-    case Qt::Key_Up:
-      move = {0, far};
-      break;
-    case Qt::Key_Down:
-      move = {0, -far};
-      break;
-    case Qt::Key_Space:
-      if (!event->isAutoRepeat()) setSpaceHeld(true);
-      return;
-    default:
-      return QWidget::keyPressEvent(event);
-  }
-  geometry_.pan(move);
-  viewMoved();
-}
-
-void Viewport::keyReleaseEvent(QKeyEvent* event) {
-  if (event->key() != Qt::Key_Space) return QWidget::keyReleaseEvent(event);
-  if (!event->isAutoRepeat()) setSpaceHeld(false);
-}
-
-void Viewport::setSpaceHeld(bool held) {
-  spaceHeld_ = held;
-  updateShape();
-}
-
-bool Viewport::eventFilter(QObject* watched, QEvent* event) {
-  const bool isPress = event->type() == QEvent::KeyPress;
-  if (!isPress && event->type() != QEvent::KeyRelease) return false;
-  const auto* key = static_cast<const QKeyEvent*>(event);
-  if (key->key() != Qt::Key_Space || watched == this || !watched->isWidgetType()) return false;
-  const bool isWanted = isPress ? cursor_ && isActiveWindow() && !takesText(watched) : spaceHeld_;
-  if (!isWanted) return false;
-  if (!key->isAutoRepeat()) setSpaceHeld(isPress);
-  return true;
-}
-
-// The release of the key goes to another window.
-void Viewport::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) setSpaceHeld(false);
-  QWidget::changeEvent(event);
-}
-
-void Viewport::focusInEvent(QFocusEvent* event) {
-  showFocus_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
-  update();
-}
-
-void Viewport::focusOutEvent(QFocusEvent*) {
-  showFocus_ = false;
-  setSpaceHeld(false);  // its release goes elsewhere
-  update();
 }
 
 }  // namespace cutis

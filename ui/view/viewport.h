@@ -4,6 +4,8 @@
 // owner computes the visible pixels at that step and hands them back by setDetail. Until they come
 // the overview, stretched, stands in, so that panning and zooming never wait.
 //
+// Markers can be dragged; a press on one, with any button but the middle one, selects it.
+//
 // The arrow keys pan, and so do space and drag, or the middle button; the wheel zooms about the
 // cursor. While the cursor is over the view space is held for it, whatever has the keyboard, unless
 // that is a field of text. The line of a wipe is dragged, or moved with shift and the arrow keys.
@@ -21,6 +23,7 @@
 #include "ui/view/band_scrubber.h"
 #include "ui/view/hatching.h"
 #include "ui/view/picture_images.h"
+#include "ui/view/picture_marker.h"
 #include "ui/view/picture_split.h"
 #include "ui/view/view_geometry.h"
 
@@ -32,6 +35,8 @@ class Viewport : public QWidget {
   Q_OBJECT
 
  public:
+  static constexpr double kZoomPerNotch = 1.25;  // of a wheel; a touchpad sends fractions of one
+
   explicit Viewport(QWidget* parent = nullptr);
 
   // The size in image pixels. Drops the images of the picture before and fits the new one.
@@ -65,6 +70,9 @@ class Viewport : public QWidget {
   // Beside the bar, where it is wanted.
   BandScrubber& bandScrubber() { return *bandScrubber_; }
   const BandScrubber& bandScrubber() const { return *bandScrubber_; }
+  // Above the picture.
+  const QVector<PictureMarker>& markers() const { return markers_; }
+  void setMarkers(const QVector<PictureMarker>& markers);
 
   // A few words in the middle of the picture, for what is not there to be seen yet; empty: none.
   void setNotice(const QString& notice);
@@ -102,11 +110,14 @@ class Viewport : public QWidget {
   // Image pixel under the cursor; cursorLeft once when it leaves the picture.
   void cursorMoved(int x, int y);
   void cursorLeft();
-  // Left button pressed and released on one spot of the picture.
+  // Left button pressed and released on one spot of the picture, where no marker is.
   void clicked(int x, int y);
   // The user has drawn the colour bar to another range, or wants the usual one again.
   void rangeMoved(const cutis::DisplayRange& range);
   void automaticRangeWanted();
+  void markerPressed(int marker);
+  // It is being dragged, and is on this pixel now; setMarkers() moves it.
+  void markerDragged(int marker, int x, int y);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -127,6 +138,8 @@ class Viewport : public QWidget {
  private:
   void setSpaceHeld(bool held);
   std::optional<QPoint> pixelAt(const QPointF& widget) const;
+  std::optional<int> markerUnder(const QPointF& widget) const;
+  void dragMarker(const QPointF& widget);
   QPointF anchor() const;
   void placeControls();
   void viewMoved();
@@ -134,6 +147,7 @@ class Viewport : public QWidget {
   void updateShape();
   void drawNotice(QPainter& painter) const;
   void drawHatching(QPainter& painter);
+  void drawMarkersOnPanes(QPainter& painter);
   void moveLine(double x);
   void layOut();
 
@@ -144,6 +158,7 @@ class Viewport : public QWidget {
   QImage hatching_;  // over the whole view; null: of another place or time
   ColorBarControl* colorBar_;
   BandScrubber* bandScrubber_;
+  QVector<PictureMarker> markers_;
   QString notice_;
 
   Rect toldVisible_;
@@ -153,6 +168,7 @@ class Viewport : public QWidget {
   std::optional<QPointF> grabbed_;  // where the picture was last dragged to
   std::optional<QPointF> pressed_;  // where a click may end
   bool wiping_ = false;             // the line of the wipe is held
+  std::optional<int> dragged_;      // a marker
   bool cursorOnPicture_ = false;
   bool spaceHeld_ = false;
   bool showFocus_ = false;

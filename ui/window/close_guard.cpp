@@ -136,7 +136,7 @@ void CloseGuard::askToSave(const Pages& modified, const Pages& pages,
     }
     go();
   };
-  question_ = askQuestion(window_, tr("Save the edits of %1?").arg(namesOf(modified)),
+  question_ = askQuestion(window_, tr("Save the changes of %1?").arg(namesOf(modified)),
                           tr("What is not saved as a project is lost."),
                           {{isOne ? tr("Save") : tr("Save all"), QMessageBox::AcceptRole,
                             [this, modified, pages, go] { saveOneByOne(modified, pages, go); }},

@@ -14,7 +14,7 @@
 #include <QVBoxLayout>
 
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "ui/commands/command_palette.h"
 #include "ui/commands/command_registry.h"
 #include "ui/commands/shortcut_settings.h"
@@ -29,6 +29,8 @@
 #include "ui/documents/job_display.h"
 #include "ui/menus/command_catalogue.h"
 #include "ui/menus/editor.h"
+#include "ui/spectrum/pin_controller.h"
+#include "ui/spectrum/spectrum_export.h"
 #include "ui/theme/theme.h"
 #include "ui/view/adjustment_bar.h"
 #include "ui/view/view_controller.h"
@@ -203,6 +205,10 @@ void MainWindow::connectPage(DocumentPage& page) {
   connect(document, &Document::fitted, this, &MainWindow::refreshCommands);
   connect(document, &Document::editsChanged, this, &MainWindow::refreshCommands);
   connect(document, &Document::fitChoiceChanged, this, &MainWindow::refreshCommands);
+  connect(document, &Document::pinsChanged, this, &MainWindow::refreshCommands);
+  connect(&page.pins(), &PinController::selectionChanged, this, &MainWindow::refreshCommands);
+  connect(&page.spectrumExport(), &SpectrumExport::objectionsChanged, this,
+          &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::started, this, &MainWindow::refreshCommands);
   connect(&page.jobs(), &JobRunner::finished, this, &MainWindow::refreshCommands);
   connect(&page.views(), &ViewController::currentChanged, this, &MainWindow::refreshCommands);

@@ -14,7 +14,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 
 #include <QObject>
@@ -24,6 +23,7 @@
 #include "core/analyse/skin_values.h"
 #include "core/base/result.h"
 #include "core/fit/fit_run.h"
+#include "src/app/document/place_spectra.h"
 #include "src/app/document/scene.h"
 #include "src/app/document/shared_rect.h"
 #include "src/app/document/undo_history.h"
@@ -93,12 +93,15 @@ class Document : public QObject {
   std::shared_ptr<const SkinValues> skinValues() const { return fitted_ ? skin_ : nullptr; }
   // The place of the project; empty while it has none.
   const std::filesystem::path& projectPath() const { return state_.path; }
-  // Whether something would be lost that a project keeps: edits, and of a project that is saved
-  // already the fit and the places of its source, too.
+  // Whether something would be lost that a project keeps: edits and pins, and of a project that is
+  // saved already the fit and the places of its source, too.
   bool isModified() const;
   // How it is looked at: kept for the project, and what an opened project brings.
   const ProjectView& view() const { return state_.view; }
   void setView(const ProjectView& view) { state_.view = view; }
+  // Places that are kept, without a history. Setting them changes what is saved.
+  const PinSet& pins() const { return state_.pins; }
+  void setPins(const PinSet& pins);
   // All that a project holds. Precondition, here and below: isOpen().
   Project project() const;
   // The fitted maps as a file of their own, without edits; reads the profile again, any thread may
@@ -156,19 +159,8 @@ class Document : public QObject {
   void goToStep(std::size_t step);
   const UndoHistory& history() const { return history_; }
 
-  // The spectra of a pixel, original and edited, computed exactly, with the constants that were
-  // found for it (core/render/skin_spectra.h); nothing where there is no estimate. About 0.3 ms.
-  struct PixelSpectra {
-    ParameterVector originalParameters;
-    ParameterVector editedParameters;
-    SkinConstants constants;  // of the pixel where they are free, else of the profile
-    Spectrum original;
-    Spectrum edited;
-    // Standard deviation of the original spectrum given the photographs; none for maps without
-    // them, for methods that know none and for photographs with shading.
-    std::optional<Spectrum> deviation;
-  };
-  std::optional<PixelSpectra> spectraAt(int x, int y) const;
+  // What is known of one pixel; nothing where there is no estimate. About 0.5 ms.
+  std::optional<PlaceSpectra> spectraAt(int x, int y) const;
   // The parameters alone, which need no model.
   struct PixelParameters {
     ParameterVector original;
@@ -200,6 +192,7 @@ class Document : public QObject {
   // There is no network for the lights and the profile; another method is used instead.
   void networkMissing();
   void editsChanged(bool moving);
+  void pinsChanged();
   // A file that was to be opened could not be, not one that is read again; before failed().
   void openingFailed(const QString& path, const QString& sentence);
   // A project, or what a journal kept, cannot be opened while a file is not there.
@@ -217,7 +210,6 @@ class Document : public QObject {
   void noticed(const QString& sentence);
 
  private:
-  std::optional<Spectrum> deviationAt(int x, int y, std::span<const double> values) const;
   void noteMissing(const std::vector<std::filesystem::path>& missing);
 
   // What was read, on its way to being shown.
@@ -294,11 +286,13 @@ class Document : public QObject {
   struct ProjectState {
     ProjectSource source;
     ProjectView view;
+    PinSet pins;
     std::filesystem::path path;
     std::filesystem::path maps;  // the file that holds the maps of now; empty: none
     std::filesystem::path maskBeside;
     // As last saved or opened; a fit is only compared where there is a project.
     std::string edits;
+    PinSet savedPins;
     FitChoice fit;
     bool isMoved = false;
   };

@@ -129,20 +129,31 @@ void Document::takeProject(const Opened& opened) {
   }
   state_.path = opened.path;
   state_.view = opened.project.view;
+  state_.pins = opened.project.pins;
   state_.isMoved = opened.isMoved;
   state_.fit = choice_;
   state_.edits = opened.isUnsaved ? std::string() : textOf(opened.project.edits);
+  state_.savedPins = opened.isUnsaved ? PinSet() : opened.project.pins;
   history_ = UndoHistory(DocumentState{opened.project.edits});
 }
 
 bool Document::isModified() const {
   if (!isOpen()) return false;
   if (textOf(history_.current().edits) != state_.edits) return true;
+  if (state_.pins != state_.savedPins) return true;
   return !state_.path.empty() && (choice_ != state_.fit || state_.isMoved);
 }
 
 Project Document::project() const {
-  return {state_.source, choice_, history_.current().edits, state_.view, state_.maps, {}};
+  return {state_.source, choice_, history_.current().edits, state_.view, state_.maps, {},
+          state_.pins};
+}
+
+void Document::setPins(const PinSet& pins) {
+  if (pins == state_.pins) return;
+  state_.pins = pins;
+  Q_EMIT pinsChanged();
+  Q_EMIT modifiedChanged();
 }
 
 std::function<Result<MapsFile>()> Document::mapsFile() const {
@@ -202,6 +213,7 @@ void Document::completeSave(const fs::path& path, const Project& asked, const Pr
   state_.path = path;
   state_.fit = asked.fit;
   state_.edits = textOf(asked.edits);
+  state_.savedPins = asked.pins;
   state_.isMoved = false;
   state_.source.files = saved.source.files;
   // Another fit may have begun meanwhile.

@@ -1,4 +1,4 @@
-#pragma once  // internal to src/app/document
+#pragma once
 
 // Everything that pictures of a document are made of, at one moment.
 

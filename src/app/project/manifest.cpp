@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/app/fit_method.h"
+#include "src/app/project/pins_json.h"
 #include "src/files/edits/edits_file.h"
 #include "src/files/io/file_extension.h"
 #include "src/files/io/json_file.h"
@@ -310,6 +311,7 @@ std::string projectText(const Project& project, const fs::path& folder) {
   if (!project.editsOf.empty()) root["edits_of"] = names.nameOf(project.editsOf);
   addEditsTo(root, project.edits);
   root["view"] = viewJson(project.view, names);
+  addPinsTo(root, project.pins);
   // A file's name may be no UTF-8.
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -318,7 +320,8 @@ Result<Project> parseProject(std::string_view text, const fs::path& path, const 
   const PathNames names(fs::absolute(path).lexically_normal().parent_path());
   CUTIS_TRY(root, parseJson(text, path.string()));
   CUTIS_CHECK(checkVersion(root, kVersion, kNewestProject));
-  root.sayUnknown({kVersion, "source", "fit", "maps", "edits_of", "edits", "regions", "view"},
+  root.sayUnknown({kVersion, "source", "fit", "maps", "edits_of", "edits", "regions", "view", kPins,
+                   kPinSize, kPinReference},
                   notice);
   CUTIS_TRY(sourceObject, root.object("source"));
   CUTIS_TRY(fitObject, root.object("fit"));
@@ -329,6 +332,8 @@ Result<Project> parseProject(std::string_view text, const fs::path& path, const 
   CUTIS_TRY(edits, parseEdits(root, notice));
   CUTIS_TRY(view, parseView(viewObject, names, notice));
   Project project = {source, fit, edits, view, {}};
+  CUTIS_TRY(pins, parsePins(root, notice));
+  project.pins = pins;
   if (root.has("edits_of")) {
     CUTIS_TRY(editsOf, root.text("edits_of"));
     project.editsOf = names.pathOf(editsOf);

@@ -12,11 +12,14 @@
 //     "maps": "face.cutis.data/4f1c….exr",
 //     "edits": [ … ], "regions": [],
 //     "view": {"view": "skin", "place": [x, y, zoom], "light": "D65", "observer": "cie1931",
-//               "adaptation": "none"} }
+//               "adaptation": "none"},
+//     "pins": [ {"letter": "A", "name": "cheek", "place": [812, 440]} ],
+//     "pin_size": 3, "pin_reference": "A" }
 //
 // Paths are relative to the folder of the manifest where there is a way. "kind" is sample, image,
 // capture or maps; a journal names the project that it belongs to as "edits_of"; "maps" is null
-// while nothing is fitted, "place" while the whole picture is shown. Edits are those of
+// while nothing is fitted, "place" while the whole picture is shown; pins are left out where there
+// are none, and so is what is usual of them. Edits are those of
 // src/files/edits/edits_file.h. Fields this version does not know are passed over with a notice; a
 // newer version is refused.
 //

@@ -13,6 +13,7 @@
 #include "core/edit/edit_stack.h"
 #include "src/app/open/fit_choice.h"
 #include "src/app/open/source.h"
+#include "src/app/project/pin.h"
 #include "src/app/project/source_file.h"
 
 namespace cutis {
@@ -54,6 +55,7 @@ struct Project {
   std::filesystem::path maps;
   // In a journal: the project that these are unsaved edits of; empty: they were of none.
   std::filesystem::path editsOf = {};
+  PinSet pins = {};
 };
 
 }  // namespace cutis

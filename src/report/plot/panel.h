@@ -1,4 +1,4 @@
-#pragma once  // internal to src/report/plot
+#pragma once
 
 // What a plot shows, without any place: axes, and what lies between them. layOut() of
 // panel_layout.h finds the places.

@@ -33,7 +33,7 @@ struct PlotTheme {
   // The name of an axis stands beside it; else its last number has the unit, which takes less room.
   bool hasAxisTitles = true;
   // A legend that has no room beside the title takes lines of its own; or the title is shortened
-  // first, so that the plot keeps its height while words in the legend change.
+  // first, to a few letters, so that the plot keeps its height while words in the legend change.
   bool titleGivesWay = false;
 };
 

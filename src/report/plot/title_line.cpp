@@ -9,6 +9,7 @@ constexpr double kSample = 24.0;        // length of a piece of line
 constexpr double kSampleGap = 6.0;      // between sample and words
 constexpr double kMarkerRim = 1.6;      // of a marker's outline
 constexpr double kLargestMarker = 4.5;  // in a legend
+constexpr double kShortestTitle = 8.0;  // sizes of its letters: what is shorter says nothing
 constexpr double kMiddle = 0.36;        // of small letters above their baseline
 
 double sampleWidth(const LegendEntry& entry) {
@@ -41,8 +42,9 @@ bool isBeside(const TitleLine& line, double width, const PlotTheme& theme,
               const TextMetrics& metrics) {
   if (line.legend.empty() || line.title.empty()) return true;
   const double legend = rowWidth(wholeLegend(line), theme, metrics);
-  if (theme.titleGivesWay) return legend <= width;
-  return metrics.width(line.title, line.style) + theme.farSpace + legend <= width;
+  double title = metrics.width(line.title, line.style);
+  if (theme.titleGivesWay) title = std::min(title, kShortestTitle * line.style.size);
+  return title + theme.farSpace + legend <= width;
 }
 
 // The legend in as few rows as hold it.

@@ -9,7 +9,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "tests/support/expect.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_registry.h"

@@ -32,6 +32,7 @@ Project fullProject() {
   project.view = {"melanin", ViewPlace{12.5, 3.25, 0.75}, "/work/lights/lamp.csv", "cie1964",
                   "bradford"};
   project.maps = "/work/projects/face.cutis.data/89ab.exr";
+  project.pins = {{{"A", "cheek", 812, 440}, {"C", "", -3, 0}}, 5, "C"};
   return project;
 }
 
@@ -58,7 +59,18 @@ class ManifestTest : public QObject {
     QVERIFY(project.fit == wanted.fit);
     QVERIFY(project.view == wanted.view);
     QCOMPARE(project.maps, wanted.maps);
+    QVERIFY(project.pins == wanted.pins);
     QCOMPARE(projectText(project, "/work/projects"), text);
+  }
+
+  void aProjectWithoutPinsSaysNothingOfThem() {
+    Project project = fullProject();
+    project.pins = {};
+    const std::string text = projectText(project, "/work/projects");
+    QVERIFY2(text.find("pin") == std::string::npos, text.c_str());
+    const auto read = parseProject(text, "/work/projects/face.cutis", {});
+    EXPECT_OK(read);
+    QVERIFY(read.value().pins == PinSet());
   }
 
   // A project that moves along with its source finds it.
@@ -120,6 +132,10 @@ class ManifestTest : public QObject {
     row("method", "three-stage", "magic", "fit.method");
     row("place", "0.75", "0.0", "view.place must be x, y and a zoom above 0");
     row("edit", "\"scale\"", "\"match\"", "edits[0].melanin.mode must be");
+    row("letter", "\"letter\": \"C\"", "\"letter\": \"A\"", "pins[1].letter must be a letter");
+    row("no letter", "\"letter\": \"C\"", "\"letter\": \"c\"", "pins[1].letter must be a letter");
+    row("far", "812", "1e9", "pins[0].place must be x and y in pixels");
+    row("size", "\"pin_size\": 5", "\"pin_size\": 4", "pin_size must be 1, 3, 5 or 11");
     row("regions", "\"regions\": []", "\"regions\": [{}]", "regions must be empty");
     row("not JSON", "\"view\"", "view", "not valid JSON");
   }

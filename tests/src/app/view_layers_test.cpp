@@ -7,8 +7,8 @@
 
 #include "core/fit/fit_run.h"
 #include "src/app/document/document.h"
-#include "src/app/document/view_server.h"
 #include "src/app/open/photograph_part.h"
+#include "src/app/views/view_server.h"
 #include "tests/support/expect.h"
 #include "tests/support/rendered_view.h"
 #include "tests/support/test_registry.h"

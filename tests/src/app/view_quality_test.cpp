@@ -6,8 +6,8 @@
 
 #include "core/render/box_average.h"
 #include "core/spectra/colorimetry.h"
-#include "src/app/document/view_samples.h"
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_samples.h"
+#include "src/app/views/view_server.h"
 #include "tests/support/expect.h"
 #include "tests/support/models.h"
 #include "tests/support/rendered_view.h"

@@ -4,8 +4,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/document/view_server.h"
 #include "src/app/export/export.h"
+#include "src/app/views/view_server.h"
 #include "src/files/resources.h"
 #include "tests/src/cli/program_run.h"
 #include "tests/support/expect.h"

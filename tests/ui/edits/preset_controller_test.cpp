@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
-#include "src/app/document/view_server.h"
+#include "src/app/views/view_server.h"
 #include "src/files/edits/edits_file.h"
 #include "src/files/io/text_file.h"
 #include "tests/support/scratch_folder.h"
