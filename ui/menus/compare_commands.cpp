@@ -120,7 +120,7 @@ CompareRows partnerRows(const Editor& editor) {
   CommandDescription copy =
       rowOf(editor, "copy", tr("Copy the p&icture"),
             tr("What is seen of it, with what lies over it, for the clipboard"),
-            QKeySequence(tr("Ctrl+Alt+V")));
+            QKeySequence(tr("Ctrl+Alt+G")));
   copy.run = [editor] {
     QGuiApplication::clipboard()->setImage(editor.page().viewport().picture());
   };
