@@ -97,6 +97,7 @@ class SpectrumPlotTest : public QObject {
     turnWheel(40);
     EXPECT_NEAR(plot_.maximum(), 0.01, 1e-9);
     QTest::mouseDClick(&plot_, Qt::LeftButton, {}, plot_.rect().center());
+    QTest::mouseRelease(&plot_, Qt::LeftButton, {}, plot_.rect().center());
     EXPECT_NEAR(plot_.maximum(), 0.6, 1e-9);
   }
 
