@@ -8,7 +8,7 @@ namespace cutis {
 namespace {
 
 constexpr std::streamoff kFirstRiffChunk = 12;
-constexpr std::uint32_t kLargestChunk = std::uint32_t{1} << 24;  // of those that are read
+constexpr std::uint32_t kLargestRiffChunk = std::uint32_t{1} << 24;  // of those that are read
 
 std::uint32_t littleEndianAt(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -35,7 +35,7 @@ WebPChunks readWebPChunks(const std::filesystem::path& path) {
     const std::uint32_t length = littleEndianAt(head, 4);
     const std::streamoff padding = length % 2;
     if (name == "ANMF") ++chunks.frames;
-    if ((name != "ICCP" && name != "EXIF") || length > kLargestChunk) {
+    if ((name != "ICCP" && name != "EXIF") || length > kLargestRiffChunk) {
       stream.seekg(std::streamoff{length} + padding, std::ios::cur);
       continue;
     }

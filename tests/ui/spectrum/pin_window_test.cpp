@@ -121,6 +121,8 @@ class PinWindowTest : public test::UiTest {
   }
 
   void anotherQuantityTakesThePlaceOfReflectance() {
+    // A mouse that is there already does not move.
+    QTest::mouseMove(&window_->viewport(), at(450, 500));
     QTest::mouseMove(&window_->viewport(), at(500, 500));
     waitUntilIdle();
     QComboBox* quantities = nullptr;
