@@ -138,8 +138,8 @@ class OpenAsDialogTest : public test::UiTest {
     dialog.close();
   }
 
-  // Long names and many statements: at the smallest size the buttons that end the dialog are inside,
-  // and everything else can be scrolled to.
+  // Long names and many statements: at the smallest size the buttons below are inside, and all else
+  // can be scrolled to.
   void nothingIsCutOffAtTheSmallestSize() {
     ImageInspection image = twoLayers();
     image.usualLayer = 1;
