@@ -92,7 +92,7 @@ OpenAsDialog::OpenAsDialog(const std::filesystem::path& path, const ImageInspect
   foot->addWidget(buttons());
   column->addLayout(foot);
   showLayer();
-  resize(sizeHint().expandedTo({520, 0}));
+  resize(sizeHint().expandedTo({520, 340}));
 }
 
 QWidget* OpenAsDialog::heading(const QString& reason) {
