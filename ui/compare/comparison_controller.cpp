@@ -97,6 +97,9 @@ void ComparisonController::refresh() {
   detail_ = nullptr;
   overview_ = nullptr;
   viewport_.clearSecond();
+  // What is wished once more is made once more.
+  detailWatch_->want({});
+  overviewWatch_->want({});
   detailJob_.stop();
   overviewJob_.stop();
   detailDifference_ = nullptr;

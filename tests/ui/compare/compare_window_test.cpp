@@ -104,6 +104,17 @@ class CompareWindowTest : public test::UiTest {
     QCOMPARE(view().colorBar()->name, QString("Melanin"));
   }
 
+  // From one way of comparing to another without an end between them.
+  void theOtherPictureStays() {
+    const QImage original = shown(ViewKind::photograph);
+    const QImage edited = shown(ViewKind::editedAlbedo);
+    press(Qt::Key_D);
+    press(Qt::Key_W);
+    expectSides(edited, original, static_cast<int>(view().width() * view().wipePosition()));
+    press(Qt::Key_T);
+    expectSides(original, original, 0);
+  }
+
   // Two edits against each other: the second adds to the first.
   void keptEditsAreComparedWith() {
     QVERIFY(!window_->commands().action("compare.kept")->isEnabled());
